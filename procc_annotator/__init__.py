@@ -18,6 +18,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.annotation import Polyline as Polyline
     from procc_annotator.api.calibration import check_labels as check_labels
     from procc_annotator.api.calibration import fit_camera as fit_camera
+    from procc_annotator.api.calibration import leave_one_out as leave_one_out
     from procc_annotator.api.calibration import propose_camera as propose_camera
     from procc_annotator.api.calibration import track as track
     from procc_annotator.api.cameras import camera_from_function as camera_from_function
@@ -31,6 +32,7 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.evaluation import jac_curve as jac_curve
     from procc_annotator.api.evaluation import project_field as project_field
     from procc_annotator.api.ground_points import PlacedPoints as PlacedPoints
+    from procc_annotator.api.ground_points import homography_of as homography_of
     from procc_annotator.api.ground_points import to_ground as to_ground
     from procc_annotator.api.ground_points import to_pixels as to_pixels
     from procc_annotator.api.loading import Dataset as Dataset
@@ -42,6 +44,11 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.api.methods import save_projection as save_projection
     from procc_annotator.api.set_evaluation import SetScore as SetScore
     from procc_annotator.api.set_evaluation import evaluate_set as evaluate_set
+    from procc_annotator.api.set_reports import SetOptions as SetOptions
+    from procc_annotator.api.set_reports import compare_annotators as compare_annotators
+    from procc_annotator.api.set_reports import compare_cameras as compare_cameras
+    from procc_annotator.api.set_reports import compare_methods as compare_methods
+    from procc_annotator.api.set_reports import write_report as write_report
     from procc_annotator.calibration.label_check.finding import Finding as Finding
     from procc_annotator.calibration.result import FitResult as FitResult
     from procc_annotator.calibration.single_image.proposal import KnownPosition as KnownPosition
@@ -66,8 +73,10 @@ if TYPE_CHECKING:  # for type checkers; each name comes from where `_HOMES` says
     from procc_annotator.field.load import load_field as load_field
     from procc_annotator.field.model import Element as Element
     from procc_annotator.field.model import Field as Field
+    from procc_annotator.formats.cameras.fit_record import LeftOutElement as LeftOutElement
     from procc_annotator.formats.cameras.loaded_camera import LoadedCamera as LoadedCamera
     from procc_annotator.metrics.error_maps import Disagreement as Disagreement
+    from procc_annotator.metrics.ground_plane import NearestHomography as NearestHomography
     from procc_annotator.metrics.score import ElementScore as ElementScore
     from procc_annotator.metrics.score import FrameScore as FrameScore
     from procc_annotator.metrics.sets import ClassSummary as ClassSummary
@@ -86,6 +95,7 @@ _HOMES = {
     "api.calibration": (
         "check_labels",
         "fit_camera",
+        "leave_one_out",
         "propose_camera",
         "track",
     ),
@@ -105,6 +115,7 @@ _HOMES = {
     ),
     "api.ground_points": (
         "PlacedPoints",
+        "homography_of",
         "to_ground",
         "to_pixels",
     ),
@@ -120,6 +131,13 @@ _HOMES = {
     "api.set_evaluation": (
         "SetScore",
         "evaluate_set",
+    ),
+    "api.set_reports": (
+        "SetOptions",
+        "compare_annotators",
+        "compare_cameras",
+        "compare_methods",
+        "write_report",
     ),
     "calibration.label_check.finding": ("Finding",),
     "calibration.result": ("FitResult",),
@@ -159,8 +177,10 @@ _HOMES = {
         "Element",
         "Field",
     ),
+    "formats.cameras.fit_record": ("LeftOutElement",),
     "formats.cameras.loaded_camera": ("LoadedCamera",),
     "metrics.error_maps": ("Disagreement",),
+    "metrics.ground_plane": ("NearestHomography",),
     "metrics.score": (
         "ElementScore",
         "FrameScore",

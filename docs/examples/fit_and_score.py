@@ -62,7 +62,7 @@ def main() -> None:
         if not isinstance(fit.camera, PinholeCamera) or fit.deviations is None:
             print(f"{path.stem}  no camera: {fit.failure}")
             continue
-        score = evaluate(annotation, fit, tau=asked.tau)
+        score = evaluate(annotation, fit, threshold=asked.tau)
         known = fit.deviations
         print(
             f"{path.stem}  {fit.model:5}  {score.jac:.2f}  {math.degrees(known.pan_rad):.2f} deg"

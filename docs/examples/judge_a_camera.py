@@ -66,7 +66,7 @@ for tau in (1.0, 2.0, 5.0, 10.0):
 
 # %% What is wrong in that frame, element by element
 for element in procc.evaluate(
-    dataset.annotations[worst], cameras[worst], field=dataset.field, tau=2.0
+    dataset.annotations[worst], cameras[worst], field=dataset.field, threshold=2.0
 ).elements:
     if element.status != "tp":
         far = "" if element.max_distance is None else f" {element.max_distance:.1f} px"
@@ -75,7 +75,7 @@ for element in procc.evaluate(
 # %% The same as a picture
 picture = procc.draw_overlay(
     dataset.pictures[worst], dataset.annotations[worst], cameras[worst],
-    field=dataset.field, size=(960, 540), tau=2.0,
+    field=dataset.field, size=(960, 540), threshold=2.0,
 )  # fmt: skip
 print("overlay", picture.shape)
 if len(sys.argv) > 1:

@@ -16,6 +16,7 @@ from procc_annotator.api.inputs import (
     as_pixels,
     kind_of,
 )
+from procc_annotator.batch import calibration
 from procc_annotator.calibration import fitting
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.label_check.check import add_line_evidence
@@ -30,9 +31,10 @@ from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.camera.base import Camera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.cameras.fit_record import annotation_digest
+from procc_annotator.formats.cameras.fit_record import LeftOutElement, annotation_digest
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.image.video import open_shared_video
+from procc_annotator.metrics.setup import EvaluationSetup
 
 
 def fit_camera(
@@ -81,6 +83,36 @@ def fit_camera(
         as_camera(start, "start")
     fit = fitting.fit_camera(*given, model=model, size=as_size(size), start=start)
     return fit if fit.camera is None else replace(fit, fitted_on=annotation_digest(given[0]))
+
+
+def leave_one_out(
+    annotation: FrameAnnotation,
+    field: Field | str | None = None,
+    *,
+    model: str = "R",
+    size: tuple[int, int] = fitting.DEFAULT_SIZE,
+    protocol: str = "soccernet",
+) -> tuple[LeftOutElement, ...]:
+    """Predict each element of a frame by a camera fitted to the others (leave-one-element-out).
+
+    What a fit explains is no evidence for its model; what it predicts is.
+
+    Args:
+        annotation: as of `fit_camera`. field: as of `fit_camera`.
+        model: as of `fit_camera`. size: as of `fit_camera`.
+        protocol: of the distances, see `evaluate`.
+
+    Returns:
+        The elements that the others determine a camera for, with the distance of their farthest
+        point (px): ``predicted_px`` under that camera, ``explained_px`` under the fit to all.
+
+    Raises:
+        UsageError, FieldError: as of `fit_camera`.
+    """
+    given, shown = as_annotation(annotation), as_field(field)
+    setup = EvaluationSetup(shown, as_size(size), protocol)
+    fit = fitting.fit_camera(given, shown, model=model, size=setup.size)
+    return calibration.leave_one_out(given, fit, setup, model)
 
 
 def propose_camera(

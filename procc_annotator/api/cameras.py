@@ -292,7 +292,7 @@ def draw_overlay(
     field: Field | str | None = None,
     size: tuple[int, int] | None = None,
     camera_size: tuple[int, int] | None = None,
-    tau: float = 5.0,
+    threshold: float = 5.0,
     protocol: str = "soccernet",
     scale: float = 1.0,
     painted_width: bool = False,
@@ -301,19 +301,19 @@ def draw_overlay(
     """A picture with what is annotated in it and where a camera shows the field.
 
     Colours are those of the window: an annotated element is green where all its points are closer
-    than ``tau`` to the projection. Without a camera, elements have the colours of their classes.
-    Neither Qt nor a display is needed.
+    than ``threshold`` to the projection. Without a camera, elements have the colours of their
+    classes. Neither Qt nor a display is needed.
 
     Args:
         picture: a picture's file, or its pixels, (H, W, 3) or (H, W, 4) uint8, BGR.
         annotation: what is annotated, points normalised; None for nothing.
         camera: as `evaluate` takes it; None for none.
         field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
-        size: (width, height) px at which annotation and camera are compared, which ``tau`` belongs
-            to; that of the picture if None.
+        size: (width, height) px at which annotation and camera are compared, which ``threshold``
+            belongs to; that of the picture if None.
         camera_size: (width, height) px that the camera belongs to, where it is no fit and its file
             does not say it; ``size`` if None (1280x720 for files of homographies).
-        tau: px of ``size``.
+        threshold: px of ``size``.
         protocol: ``soccernet`` or ``procc``.
         scale: px of the result per px of the picture; lines and text grow with it.
         painted_width: whether the borders of painted lines are drawn, too.
@@ -328,7 +328,7 @@ def draw_overlay(
         FieldError: no such field.
     """
     pixels, known = as_picture(picture), as_field(field)
-    (threshold,) = check_thresholds((tau,))
+    (chosen,) = check_thresholds(threshold)
     height, width = pixels.shape[:2]
     setup = EvaluationSetup(known, as_optional_size(size) or (width, height), protocol)
     given = FrameAnnotation() if annotation is None else as_annotation(annotation)
@@ -336,7 +336,7 @@ def draw_overlay(
     if camera is not None:
         used = camera_at_size(camera, setup.size, as_optional_size(camera_size), field=known).camera
         measurement = measure(given, used, setup)
-        judged = display_score(measurement, threshold)
+        judged = display_score(measurement, chosen)
         paint = project_markings(used, setup) if painted_width else None
     shown = OverlayContent(
         annotation=given,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -13,6 +15,7 @@ from procc_annotator.api.inputs import (
     as_optional_size,
     camera_at_size,
     evaluated_camera,
+    position_remarks,
 )
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
@@ -36,12 +39,13 @@ def evaluate(
     field: Field | str | None = None,
     size: Size | None = None,
     camera_size: Size | None = None,
-    tau: float = 5.0,
+    threshold: float = 5.0,
     protocol: str = "soccernet",
     allow_mirrored: bool = False,
     off_plane: str = "missed",
+    planar_only: bool = False,
 ) -> FrameScore:
-    """Score a camera: an annotated element passes if all its points are closer than tau to it.
+    """Score a camera: an annotated element passes if all its points are closer than the threshold.
 
     The protocol is that of Magera et al., A Universal Protocol to Benchmark Camera Calibration for
     Sports, CVsports 2024; ``soccernet`` follows the official evaluation in every count. See
@@ -61,12 +65,13 @@ def evaluate(
             fit, and 960x540 (the official size) for any other camera. Cameras are scaled to it.
         camera_size: (width, height) px that the camera belongs to, where it is no fit and its file
             does not say it; ``size`` if None (1280x720 for files of homographies).
-        tau: the threshold, px; compared strictly.
+        threshold: px; compared strictly.
         protocol: ``soccernet`` or ``procc``.
         allow_mirrored: whether labels of the turned field may count, where they fit better; for
             ``procc`` only, ``soccernet`` always considers them.
         off_plane: how elements off the ground count for a camera that knows only the ground:
             ``missed`` or ``left_out``.
+        planar_only: whether elements off the ground are left out for every camera.
 
     Returns:
         The score: ``jac`` = tp / (tp + fp + fn), the counts ``tp``, ``fp``, ``fn`` of elements,
@@ -80,11 +85,13 @@ def evaluate(
             or choice, or a size without pixels.
         FieldError: no such field.
     """
-    (threshold,) = check_thresholds((tau,))
+    (chosen,) = check_thresholds(threshold)
     at = _size_of_camera(camera, size)
-    setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
-    used = evaluated_camera(camera, setup, as_optional_size(camera_size)).camera
-    return display_score(measure(as_annotation(annotation), used, setup), threshold)
+    setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane, planar_only)
+    used = evaluated_camera(camera, setup, as_optional_size(camera_size))
+    for line in position_remarks([used]):
+        warnings.warn(line, stacklevel=2)
+    return display_score(measure(as_annotation(annotation), used.camera, setup), chosen)
 
 
 def jac_curve(
@@ -98,6 +105,7 @@ def jac_curve(
     protocol: str = "soccernet",
     allow_mirrored: bool = False,
     off_plane: str = "missed",
+    planar_only: bool = False,
 ) -> FloatArray:
     """JaC as a function of the threshold; the same numbers as `evaluate` gives one by one.
 
@@ -111,6 +119,7 @@ def jac_curve(
         protocol: as of `evaluate`.
         allow_mirrored: as of `evaluate`.
         off_plane: as of `evaluate`.
+        planar_only: as of `evaluate`.
 
     Returns:
         (T,) JaC in [0, 1].
@@ -123,7 +132,7 @@ def jac_curve(
     if given.dtype.kind not in "fiu" or np.isnan(given).any():
         raise UsageError(f"expected thresholds as numbers of pixels, found {thresholds!r}")
     at = _size_of_camera(camera, size)
-    setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane)
+    setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane, planar_only)
     used = evaluated_camera(camera, setup, as_optional_size(camera_size)).camera
     return score.jac_curve(measure(as_annotation(annotation), used, setup), given)
 

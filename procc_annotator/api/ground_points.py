@@ -1,10 +1,9 @@
-"""Pixels of a table to metres on the ground, and back, by the cameras of its frames."""
+"""Pixels to metres on the ground, and back: of tables, and by the nearest homography."""
 
 from __future__ import annotations
 
-import re
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from pathlib import Path
@@ -20,20 +19,27 @@ from procc_annotator.api.inputs import (
     dataframe,
     kind_of,
 )
-from procc_annotator.api.methods import AnyMethod, cameras_of
+from procc_annotator.api.methods import Method, cameras_of
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.backprojection import ground_covariance, ground_from_px
-from procc_annotator.camera.base import CameraOrProjections, ElementProjections
+from procc_annotator.camera.base import Camera, ElementProjections
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import FIT_KEY, UNCERTAINTY
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
+from procc_annotator.formats.frame_names import frame_finder
 from procc_annotator.formats.point_tables import PointTable, Row, read_rows
 from procc_annotator.messages import list_names
-from procc_annotator.metrics.ground_plane import field_rectangle
+from procc_annotator.metrics.ground_plane import (
+    NearestHomography,
+    field_rectangle,
+    nearest_homography,
+    region_of,
+    require_camera_model,
+)
 
 if TYPE_CHECKING:
     import pandas
@@ -64,7 +70,7 @@ class PlacedPoints:
 
 def to_ground(
     points: Points,
-    cameras: AnyMethod,
+    cameras: Method,
     *,
     field: Field | str | None = None,
     size: tuple[int, int] | None = None,
@@ -97,11 +103,11 @@ def to_ground(
     table, known = _table(points, metres=False), as_field(field)
     factors, offsets = _axes(axes, known)
     ground, sds = np.full_like(table.places, np.nan), np.full_like(table.places, np.nan)
-    reasons, alone = ["no camera"] * len(ground), []
+    seen, alone = set[str](), []
     for frame, camera, fit, rows in _by_frame(table, cameras, known, size, camera_size):
         ground[rows] = ground_from_px(camera, table.places[rows])
         sds[rows] = _deviations(camera, fit, ground[rows], pixel_sd)
-        _explain(reasons, rows, camera, "at or above the horizon, or outside the lens model")
+        seen.add(frame)
         alone += [frame] if fit is None else []
     inside = field_rectangle(known).holds(ground).tolist()
     columns = dict(zip("XY", (ground * factors + offsets).T, strict=True))
@@ -110,7 +116,7 @@ def to_ground(
         columns |= dict(zip(("sigma_x", "sigma_y"), (sds * np.abs(factors)).T, strict=True))
         if alone and pixel_sd is not None:
             notes = [f"standard deviations of the pixels alone in {list_names(alone, 'frame')}"]
-    placed = _placed(table, columns, reasons)
+    placed = _placed(table, columns, seen)
     for row, on_field in zip(placed.rows, inside, strict=True):
         row["on_field"] = None if row["X"] is None else on_field
     return replace(placed, notes=tuple(notes))
@@ -118,7 +124,7 @@ def to_ground(
 
 def to_pixels(
     points: Points,
-    cameras: AnyMethod,
+    cameras: Method,
     *,
     field: Field | str | None = None,
     size: tuple[int, int] | None = None,
@@ -139,19 +145,50 @@ def to_pixels(
         The rows with ``x``, ``y`` (px), which may lie outside the picture.
 
     Raises:
-        UsageError: as of `to_ground`. InputError: as of `to_ground`.
+        UsageError, InputError: as of `to_ground`.
     """
     table, known = _table(points, metres=True), as_field(field)
     factors, offsets = _axes(axes, known)
     ground, px = (table.places - offsets) / factors, np.full_like(table.places, np.nan)
-    reasons = ["no camera"] * len(px)
-    for _, camera, _, rows in _by_frame(table, cameras, known, size, camera_size):
-        if not isinstance(camera, ElementProjections):
-            world = np.column_stack((np.nan_to_num(ground[rows]), np.zeros(len(rows))))
-            found, shown = camera.project(world)
-            px[rows] = np.where((shown & np.isfinite(ground[rows, 0]))[:, None], found, np.nan)
-        _explain(reasons, rows, camera, "behind the camera, or outside the lens model")
-    return _placed(table, dict(zip("xy", px.T, strict=True)), reasons)
+    seen = set[str]()
+    for frame, camera, _, rows in _by_frame(table, cameras, known, size, camera_size):
+        world = np.column_stack((np.nan_to_num(ground[rows]), np.zeros(len(rows))))
+        found, shown = camera.project(world)
+        px[rows] = np.where((shown & np.isfinite(ground[rows, 0]))[:, None], found, np.nan)
+        seen.add(frame)
+    return _placed(table, dict(zip("xy", px.T, strict=True)), seen)
+
+
+def homography_of(
+    camera: AnyCamera,
+    region: str | Sequence[float] = "field",
+    *,
+    field: Field | str | None = None,
+    size: tuple[int, int] | None = None,
+    camera_size: tuple[int, int] | None = None,
+) -> NearestHomography:
+    """Find the homography nearest to a camera of any model over a region, and how far it is off.
+
+    Args:
+        camera: as `evaluate` takes it.
+        region: ``field``, or (x0, y0, x1, y1) metres; what the picture shows of it counts.
+        field: as of `to_ground`. size: (width, height) px of the picture; None for the camera's.
+        camera_size: as of `evaluate`.
+
+    Returns:
+        The homography as a ``camera`` (px of ``size``), with its largest and mean errors over the
+        region: ``max_m``, ``mean_m``, ``max_px``, ``mean_px``.
+
+    Raises:
+        UsageError: no region, or the picture shows too little of it.
+    """
+    known, own = as_field(field), as_optional_size(camera_size)
+    at = as_optional_size(size) or getattr(camera, "size", None) or own or DEFAULT_SIZE
+    used = require_camera_model(camera_at_size(camera, at, own, field=known).camera)
+    found = nearest_homography(used, region_of(region, known), at)
+    if found is None:
+        raise UsageError("the picture shows too little of the region for a homography")
+    return found
 
 
 def _table(points: Points, *, metres: bool) -> PointTable:
@@ -177,28 +214,25 @@ def _axes(name: str, known: Field) -> tuple[FloatArray, FloatArray]:
 
 def _by_frame(
     table: PointTable,
-    cameras: AnyMethod,
+    cameras: Method,
     known: Field,
     size: tuple[int, int] | None,
     camera_size: tuple[int, int] | None,
-) -> Iterator[tuple[str, CameraOrProjections, FitResult | None, list[int]]]:
+) -> Iterator[tuple[str, Camera, FitResult | None, list[int]]]:
     """Of each frame with a camera its name, the camera in px of the points, its fit if the
-    covariance is known, and its rows."""
+    covariance is known, and its rows; projections are no camera."""
     rows_of: dict[str, list[int]] = {}
     for row, frame in enumerate(table.frames):
         rows_of.setdefault(frame, []).append(row)
     found, own = cameras_of(cameras, rows_of), as_optional_size(camera_size)
-    numbered: dict[int, list[str]] = {}
-    for name in found:
-        if digits := re.search(r"[0-9]+$", name):
-            numbered.setdefault(int(digits[0]), []).append(name)
+    find = frame_finder(found)
     for frame, rows in rows_of.items():
-        alike = [frame] if frame in found or not re.fullmatch("[0-9]+", frame) else []
-        given = [found.get(n) for n in alike or numbered.get(int(frame), [])]
-        if len(given) == 1 and (camera := given[0]) is not None:
+        name = find(frame)
+        if name is not None and (camera := found[name]) is not None:
             at = as_optional_size(size) or getattr(camera, "size", None) or own or DEFAULT_SIZE
             used = camera_at_size(camera, at, own, f"camera of {frame}", field=known).camera
-            yield frame, used, _fit_of(camera), rows
+            if not isinstance(used, ElementProjections):
+                yield frame, used, _fit_of(camera), rows
 
 
 def _fit_of(camera: AnyCamera) -> FitResult | None:
@@ -211,34 +245,32 @@ def _fit_of(camera: AnyCamera) -> FitResult | None:
 
 
 def _deviations(
-    camera: CameraOrProjections, fit: FitResult | None, ground: FloatArray, pixel_sd: float | None
+    camera: Camera, fit: FitResult | None, ground: FloatArray, pixel_sd: float | None
 ) -> FloatArray:
     """(N, 2) metres along the axes of the world."""
     squares = np.zeros((len(ground), 2, 2)) if fit is None else fit.ground_covariance(ground)
-    if pixel_sd is not None and not isinstance(camera, ElementProjections):
+    if pixel_sd is not None:
         squares = squares + ground_covariance(camera, ground, pixel_sd**2 * np.eye(2))
     elif fit is None:
         squares *= np.nan
     return np.asarray(np.sqrt(np.diagonal(squares, axis1=1, axis2=2)))
 
 
-def _explain(reasons: list[str], rows: list[int], camera: CameraOrProjections, why: str) -> None:
-    projections = isinstance(camera, ElementProjections)
-    for row in rows:
-        reasons[row] = "the camera is known by its projections only" if projections else why
-
-
 def _placed(
-    table: PointTable, columns: Mapping[str, FloatArray], reasons: Sequence[str]
+    table: PointTable, columns: Mapping[str, FloatArray], seen: Container[str]
 ) -> PlacedPoints:
+    """The rows with more columns; seen: the frames that have a camera."""
     rows = [dict(row) for row in table.rows]
     for name, values in columns.items():
         for row, value in zip(rows, values.tolist(), strict=True):
             row[name] = round(value, _DIGITS) if value == value else None
-    first, empty = next(iter(columns)), np.asarray(np.isnan(table.places).any(axis=1))
     lost = Counter(
-        "empty cells" if none else why
-        for row, why, none in zip(rows, reasons, empty, strict=True)
-        if row[first] is None
+        "empty cells"
+        if not np.isfinite(place).all()
+        else "out of sight of the camera, or outside its lens model"
+        if frame in seen
+        else "no camera"
+        for row, frame, place in zip(rows, table.frames, table.places, strict=True)
+        if row[next(iter(columns))] is None
     )
     return PlacedPoints(rows, lost)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,9 +28,11 @@ from procc_annotator.formats.cameras.loaded_camera import (
     LoadedCamera,
     field_mismatch,
     fit_to_size,
+    with_plausibility_remark,
 )
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray, bgra_from_bgr
+from procc_annotator.messages import pluralize
 from procc_annotator.metrics.projection import projections_error
 from procc_annotator.metrics.setup import EvaluationSetup
 
@@ -108,6 +110,13 @@ def evaluated_camera(
     if problem := projections_error(found.camera, setup):
         raise UsageError(f"{name}: {problem}")
     return found
+
+
+def position_remarks(cameras: Iterable[CameraInPixels]) -> tuple[str, ...]:
+    """One line for cameras that stand below the ground, as in a world with z up, or far away."""
+    loaded = (LoadedCamera(one.camera, one.model) for one in cameras)
+    found = [remark for one in loaded for remark in with_plausibility_remark(one).notices]
+    return (f"{found[0]} ({pluralize(len(found), 'camera')})",) if found else ()
 
 
 def as_camera(camera: object, name: str) -> CameraOrProjections:

@@ -12,6 +12,7 @@ from types import MappingProxyType
 
 from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.api.inputs import as_field, as_path
+from procc_annotator.arrays import BriefRepr
 from procc_annotator.calibration import fitting
 from procc_annotator.dataset.annotation_source import open_files, own_label_map
 from procc_annotator.dataset.dataset_field import field_of_dataset
@@ -41,8 +42,8 @@ OnDamaged = Callable[[ProccError], None]
 _ANNOTATIONS = (".json", ".xml")
 
 
-@dataclass(frozen=True)
-class Dataset:
+@dataclass(frozen=True, repr=False)
+class Dataset(BriefRepr):
     """Content of a dataset's folder.
 
     Attributes:

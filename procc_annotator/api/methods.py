@@ -12,28 +12,34 @@ from procc_annotator.api.inputs import (
     as_optional_size,
     as_path,
     camera_at_size,
+    evaluated_camera,
     kind_of,
 )
 from procc_annotator.api.loading import load_cameras
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.result import FitResult
+from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.cameras.fit_record import DIGEST, FIT_KEY
+from procc_annotator.formats.atomic import make_folder
+from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX, sidecar_content
+from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.cameras.polylines import encode_whole
+from procc_annotator.formats.cameras.writers import encode_camera
+from procc_annotator.formats.file_listing import CAMERA_PREFIX
 from procc_annotator.formats.frame_names import FrameTable, file_of_frame
 from procc_annotator.metrics.projection import complete_projections
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.outputs import open_target
 
 Cameras = Mapping[str, AnyCamera | None]
-AnyMethod = str | Path | Cameras | Sequence[AnyCamera | None] | Callable[[str], AnyCamera | None]
+Method = str | Path | Cameras | Sequence[AnyCamera | None] | Callable[[str], AnyCamera | None]
 """Cameras of a method: a path, cameras by frame name, a list of them in the order of the frames, or
 a function of the frame's name."""
 
 
 def cameras_of(
-    method: AnyMethod, frames: Iterable[str] | None, name: str = "cameras"
+    method: Method, frames: Iterable[str] | None, name: str = "cameras"
 ) -> FrameTable[AnyCamera | None]:
     """The cameras of a method by frame name; a fit that failed is None.
 
@@ -72,7 +78,7 @@ def cameras_of(
 
 def save_projection(
     path: str | Path,
-    cameras: AnyMethod,
+    cameras: Method,
     frames: Iterable[str] | None = None,
     *,
     field: Field | str | None = None,
@@ -124,6 +130,34 @@ def save_projection(
                 found[name], setup.size, own, f"camera of {name}", field=setup.field
             )
             whole = complete_projections(used.camera, setup, name)
-            mark = {} if used.fitted_on is None else {FIT_KEY: {DIGEST: used.fitted_on}}
-            target.write(file, encode_whole(whole, setup.size, mark))
+            target.write(file, encode_whole(whole, setup.size, used.fitted_on))
     return tuple(written)
+
+
+def write_method(
+    folder: Path,
+    method: Method,
+    frames: Iterable[str],
+    setup: EvaluationSetup,
+    camera_size: tuple[int, int] | None,
+) -> None:
+    """Write a method as camera files for ``setup``: pinholes and fisheyes themselves, cameras of
+    other models as whole projections."""
+    for name, camera in cameras_of(method, frames, folder.name).items():
+        if camera is None:
+            continue
+        used = evaluated_camera(camera, setup, camera_size, f"{folder.name}: camera of {name}")
+        if isinstance(used.camera, PinholeCamera | FisheyeCamera):
+            loaded = LoadedCamera(used.camera, used.model, setup.size, fitted_on=used.fitted_on)
+            to = "soccernet" if isinstance(used.camera, PinholeCamera) else "krt"
+            data = encode_camera(loaded, to)[0]
+        else:
+            whole = complete_projections(used.camera, setup, name)
+            data = encode_whole(whole, setup.size, used.fitted_on)
+        path = folder / file_of_frame(name, ".json", CAMERA_PREFIX)
+        make_folder(path.parent)
+        path.write_bytes(data)
+        if used.fitted_on is not None:
+            path.with_name(f"{Path(name).name}{SIDECAR_SUFFIX}").write_bytes(
+                sidecar_content(used.fitted_on)
+            )

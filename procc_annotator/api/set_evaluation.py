@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,6 @@ from natsort import natsorted
 
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.inputs import (
-    AnyCamera,
     CameraInPixels,
     as_annotation,
     as_field,
@@ -21,9 +20,11 @@ from procc_annotator.api.inputs import (
     dataframe,
     evaluated_camera,
     kind_of,
+    position_remarks,
 )
-from procc_annotator.api.loading import Dataset, load_cameras, load_dataset
-from procc_annotator.arrays import FloatArray
+from procc_annotator.api.loading import Dataset, load_dataset
+from procc_annotator.api.methods import Method, cameras_of
+from procc_annotator.arrays import BriefRepr, FloatArray
 from procc_annotator.batch.audit import TAU_GRID
 from procc_annotator.batch.evaluation import CHUNK
 from procc_annotator.batch.frame_sums import FrameSums, SourceSums, frame_sums
@@ -31,7 +32,6 @@ from procc_annotator.batch.grouping import NONE, SHOT, clusters_of
 from procc_annotator.batch.inference import Inference, restrict_to_common_frames
 from procc_annotator.batch.scoring import FrameInput, Tally, score_frames
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
-from procc_annotator.calibration.result import FitResult
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.frame_names import FrameTable
@@ -54,8 +54,8 @@ FrameInputs = tuple[FrameAnnotation, CameraInPixels | None]
 Clustering = str | Mapping[str, str] | None
 
 
-@dataclass(frozen=True, eq=False)
-class SetScore:
+@dataclass(frozen=True, eq=False, repr=False)
+class SetScore(BriefRepr):
     """Result of `evaluate_set`.
 
     Attributes:
@@ -182,9 +182,9 @@ class SetScore:
         Returns:
             Threshold (px) -> key (``mean_jac``, ``final_score``, ``mean_error``, ``completeness``)
             -> the difference in the figure's unit, its interval, the p of a permutation test, and
-            whether it is beyond chance. This is one comparison of two methods: ``corrected`` equals
-            ``p``. Of several pairs, correct the differences of one figure together:
-            `corrected_for`.
+            whether it is beyond chance. This is one comparison of two methods: ``corrected`` is
+            None. Of several pairs, correct the differences of one figure together:
+            `corrected_for`, or `compare_methods`.
 
         Raises:
             UsageError: the two were scored differently, or as of `intervals`.
@@ -198,8 +198,11 @@ class SetScore:
         certainty = _certainty(both, cluster, method, BootstrapSettings(draws, seed, level))
         found: dict[float, dict[str, PairedDifference]] = {tau: {} for tau in self.summaries}
         for (key, tau), difference in certainty.pairs[0].differences.items():
-            found[tau][key] = difference
+            found[tau][key] = replace(difference, corrected=None)
         return found
+
+
+_FAR = 0.05  # of the picture's width: by which points are off under cameras of another size
 
 
 def score_set(
@@ -231,7 +234,16 @@ def score_set(
             found[evaluated.result.name] = evaluated.result.scores
             sums.append(frame_sums(evaluated, thresholds))
         total.merge(part)
-    for line in total.notes.lines():
+    cameras = [camera for _, camera in frames.values() if camera is not None]
+    lines = [*total.notes.lines(), *position_remarks(cameras)]
+    last = total.sums.summary()[max(thresholds)]
+    far = (last.mean_error or 0) > _FAR * setup.size[0]
+    if last.mean_jac == 0 and far and not total.notes.in_pixels:
+        lines.append(
+            f"JaC is 0 in every frame and points are {last.mean_error:.0f} px off: do the cameras"
+            f" belong to {setup.size[0]}x{setup.size[1]} (camera_size), with z down?"
+        )
+    for line in lines:
         warnings.warn(line, stacklevel=3)
     models = {name: camera.model for name, (_, camera) in frames.items() if camera is not None}
     source = SourceSums.of("this", thresholds, sums)
@@ -282,12 +294,12 @@ Size = tuple[int, int]
 
 def evaluate_set(
     annotations: Mapping[str, FrameAnnotation] | Dataset | str | Path,
-    cameras: Mapping[str, AnyCamera | None] | str | Path,
+    cameras: Method,
     *,
     field: Field | str | None = None,
     size: Size = DEFAULT_SIZE,
     camera_size: Size | None = None,
-    thresholds: tuple[float, ...] = (5.0,),
+    thresholds: float | Sequence[float] = (5.0,),
     protocol: str = "soccernet",
     allow_mirrored: bool = False,
     off_plane: str = "missed",
@@ -297,7 +309,8 @@ def evaluate_set(
 
     Args:
         annotations: frame name -> what is annotated in it; or a dataset, or the path of one.
-        cameras: frame name -> its camera, as `evaluate` takes it; or the path of camera files.
+        cameras: frame name -> its camera, as `evaluate` takes it; or a list of cameras in the order
+            of the frames, a function of the frame's name, or the path of camera files.
             Annotated frames without a camera, or whose camera is None or a fit that failed, lower
             the completeness; cameras of frames that are not annotated are not counted.
         field: the elements, metres; or a field's name, see `load_field`; if None that of the
@@ -322,8 +335,6 @@ def evaluate_set(
             projection, or a choice that there is not, see `evaluate`.
         InputError: a file cannot be used.
     """
-    if not isinstance(thresholds, Iterable):
-        raise UsageError(f"thresholds: expected numbers of pixels, found {thresholds!r}")
     if isinstance(annotations, str | Path):
         annotations = load_dataset(annotations, field)
     if isinstance(annotations, Dataset):
@@ -331,27 +342,23 @@ def evaluate_set(
         annotations = annotations.annotations
     else:
         known = as_field(field)
-    if isinstance(cameras, str | Path):
-        cameras = load_cameras(cameras)
-    _require_by_frame("annotations", annotations)
-    _require_by_frame("cameras", cameras)
-    if not isinstance(cameras, FrameTable):
-        cameras = FrameTable(cameras)
+    given: object = annotations
+    if not isinstance(given, Mapping):
+        found = kind_of(given)
+        raise UsageError(f"annotations: expected them by frame name, or a path, found {found}")
+    by_frame = cameras_of(cameras, annotations)
     at, own = as_size(size), as_optional_size(camera_size)
     setup = EvaluationSetup(known, at, protocol, allow_mirrored, off_plane, planar_only)
     frames: dict[str, tuple[FrameAnnotation, CameraInPixels | None]] = {}
     for name, annotation in annotations.items():
-        camera = cameras.get(name)
-        if isinstance(camera, FitResult) and camera.camera is None:
-            camera = None
-        used = None
+        camera, used = by_frame.get(name), None
         if camera is not None:
             used = evaluated_camera(camera, setup, own, f"camera of {name}")
         frames[name] = as_annotation(annotation), used
-    return score_set(frames, setup, check_thresholds(tuple(thresholds)))
-
-
-def _require_by_frame(what: str, given: object) -> None:
-    if not isinstance(given, Mapping):
-        found = kind_of(given)
-        raise UsageError(f"{what}: expected values by frame name, or a path, found {found}")
+    if frames and by_frame and not any(by_frame.get(name) for name in frames):
+        theirs, ours = next(iter(by_frame)), next(iter(frames))
+        raise UsageError(
+            "nothing to score: no frame that is annotated has a camera (annotations are named like"
+            f" {ours!r}, cameras like {theirs!r})"
+        )
+    return score_set(frames, setup, check_thresholds(thresholds))

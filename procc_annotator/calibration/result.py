@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.annotation import Polyline
-from procc_annotator.arrays import FloatArray
+from procc_annotator.arrays import BriefRepr, FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     LOG_FOCAL,
     PAN,
@@ -108,8 +108,8 @@ class PoseStandardDeviations:
     focal_px: float
 
 
-@dataclass(frozen=True, eq=False)
-class FitResult:
+@dataclass(frozen=True, eq=False, repr=False)
+class FitResult(BriefRepr):
     """A fit, or the reason why there is none.
 
     Attributes:

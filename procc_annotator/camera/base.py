@@ -8,7 +8,7 @@ from typing import Protocol, cast, runtime_checkable
 
 import numpy as np
 
-from procc_annotator.arrays import BoolArray, FloatArray
+from procc_annotator.arrays import BoolArray, BriefRepr, FloatArray
 
 
 @runtime_checkable
@@ -48,8 +48,8 @@ def projects_only_ground(camera: object) -> bool:
 _BORDER_TOLERANCE_PX = 1e-4  # files round shares
 
 
-@dataclass(frozen=True, eq=False)
-class ElementProjections:
+@dataclass(frozen=True, eq=False, repr=False)
+class ElementProjections(BriefRepr):
     """Projected polylines of the elements a source shows.
 
     The protocols ask a camera for nothing but these, so a method that cannot share its model can

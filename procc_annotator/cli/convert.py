@@ -21,10 +21,12 @@ from procc_annotator.errors import UsageError
 from procc_annotator.formats.annotations.exchange import SIZE_UNKNOWN
 from procc_annotator.formats.annotations.registry import WRITTEN
 from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.homography import CONVENTIONS
 from procc_annotator.formats.cameras.submissions import POLYLINES
 from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
 from procc_annotator.formats.file_listing import list_annotations
 from procc_annotator.messages import pluralize
+from procc_annotator.metrics.ground_plane import region_of
 from procc_annotator.metrics.official import fold_back_warnings
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.conversion import convert_annotations, export_cameras, export_polylines
@@ -117,6 +119,16 @@ Frames = Annotated[
         " are judged.  [default: the frames that have a camera]",
     ),
 ]
+Region = Annotated[
+    str | None,
+    typer.Option(
+        "--region",
+        metavar="field|X0,Y0,X1,Y1",
+        show_default=False,
+        help="Of wc14, carwc and world: write the homography nearest to each camera over what its"
+        " picture shows of the field, or of a rectangle in metres, and list its errors.",
+    ),
+]
 Method = Annotated[
     str | None,
     typer.Option(
@@ -146,6 +158,7 @@ class ConvertOptions:
     protocol: options.Protocol = "soccernet"
     frames: Frames = None
     method: Method = None
+    region: Region = None
     overwrite: options.Overwrite = False
     keep_optional: options.KeepOptional = False
     pictures: Pictures = False
@@ -223,10 +236,15 @@ def _convert_to_polylines(given: ConvertOptions) -> int:
 
 def _convert_cameras(given: ConvertOptions) -> int:
     size, own = options.shown_size(given.size), options.shown_size(given.camera_size)
+    region = None
+    if given.region is not None:
+        if given.to not in CONVENTIONS:
+            raise UsageError(f"--region is for homographies: --to {', '.join(CONVENTIONS)}")
+        region = region_of(given.region, chosen_field(given.field, given.source))
     with _cameras(given) as (cameras, progress):
         done = export_cameras(
             cameras, given.out, CAMERA_TARGETS[given.to], size=size, camera_size=own,
-            split=given.split or "test", progress=progress,
+            split=given.split or "test", region=region, progress=progress,
         )  # fmt: skip
         remarks.report_remarks(cameras.notices)
     remarks.report_notices(done.losses)

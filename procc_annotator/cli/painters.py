@@ -7,19 +7,12 @@ import ctypes
 from functools import cache
 from pathlib import Path
 
-import cv2
-
 from procc_annotator.cli.echo import echo
-from procc_annotator.errors import SaveError
-from procc_annotator.figures.overlay import draw_overlay, scene_content
-from procc_annotator.image.pixels import PixelArray
+from procc_annotator.figures.overlay import PlainPictures
 from procc_annotator.report.overlay_scene import (
     OverlayLook,
     OverlayPainter,
-    Scene,
-    caption,
     check_overlay_suffix,
-    pixels_of,
 )
 
 
@@ -52,7 +45,7 @@ def overlay_painter(suffix: str, look: OverlayLook | None = None) -> OverlayPain
 
         return OverlayPictures(suffix, look)
     check_overlay_suffix(suffix)
-    return _PlainPictures(suffix, look if look is not None else OverlayLook())
+    return PlainPictures(suffix, look if look is not None else OverlayLook())
 
 
 @cache
@@ -61,31 +54,3 @@ def _can_paint() -> bool:
         plainer = "pictures are drawn plainer, without a legend"
         echo(f"note: Qt cannot be loaded here ({why}): {plainer}", err=True)
     return not why
-
-
-class _PlainPictures:
-    """Called with a scene, gives the encoded picture."""
-
-    def __init__(self, suffix: str, look: OverlayLook) -> None:
-        self._suffix, self._look = suffix, look
-
-    def __call__(self, scene: Scene) -> bytes:
-        drawn = self._drawn(scene, svg=self._suffix == ".svg")
-        if isinstance(drawn, bytes):
-            return drawn
-        done, encoded = cv2.imencode(self._suffix, drawn[:, :, :3])
-        if not done:
-            raise SaveError(f"{scene.title}: the overlay cannot be encoded as {self._suffix}")
-        return encoded.tobytes()
-
-    def pixels(self, scene: Scene) -> PixelArray:
-        drawn = self._drawn(scene, svg=False)
-        assert not isinstance(drawn, bytes)
-        return drawn
-
-    def _drawn(self, scene: Scene, *, svg: bool) -> PixelArray | bytes:
-        pixels = pixels_of(scene)
-        words = caption(scene) if self._look.caption else ""
-        return draw_overlay(
-            pixels, scene_content(scene, pixels), self._look, caption=words, svg=svg
-        )

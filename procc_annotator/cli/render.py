@@ -18,6 +18,7 @@ from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import UsageError
 from procc_annotator.figures.top_view import SUFFIXES, TopViewPainter
 from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.frame_names import frame_finder
 from procc_annotator.formats.point_tables import PointTable, read_rows
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.messages import list_names, pluralize
@@ -186,11 +187,10 @@ def _positions(path: Path | None, workspace: Workspace) -> dict[str, FloatArray]
     if path is None:
         return {}
     table = PointTable.of(read_rows(path), path, metres=True)
-    rows: dict[str, list[int]] = {}
+    rows, find = dict[str, list[int]](), frame_finder(workspace.index)
     for row, frame in enumerate(table.frames):
-        at = workspace.index.get(frame)
-        if at is not None:
-            rows.setdefault(workspace.frames[at].name, []).append(row)
+        if (name := find(frame)) is not None:
+            rows.setdefault(name, []).append(row)
     found = {name: table.places[chosen] for name, chosen in rows.items()}
     if not found:
         raise UsageError(f"{path}: no position is of a frame of {workspace.root}")

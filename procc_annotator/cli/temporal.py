@@ -17,7 +17,6 @@ from procc_annotator.batch.grouping import (
     shots_from,
 )
 from procc_annotator.batch.set_run import annotations_for
-from procc_annotator.batch.temporal import OverTimeRun, require_shots
 from procc_annotator.cli import outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
@@ -30,6 +29,7 @@ from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.report.temporal import (
     TemporalMetrics,
     check_suffix,
+    measure_over_time,
     over_time_bytes,
     over_time_entries,
     terminal_tables,
@@ -70,7 +70,8 @@ class TemporalRequest:
             known = self._shots(sources)
             for one in sources:
                 try:
-                    found.append(_measured(one, known, threshold, executor))
+                    with progress_bar(f"{one.method} over time") as progress:
+                        found.append(measure_over_time(one, known, threshold, executor, progress))
                 except NotInOrderError as error:
                     refused.setdefault(f"no metrics over time: {error}", []).append(
                         f"{name}, {one.method}"
@@ -135,24 +136,3 @@ class TemporalRequest:
         for path in self.written_to:
             if path not in unwritten:
                 echo(f"written: {path}")
-
-
-def _measured(
-    one: EvaluationRequest,
-    known: tuple[list[ShotFrames], str, Mapping[str, Path]],
-    threshold: float,
-    executor: Executor,
-) -> TemporalMetrics:
-    shots, told_by, pictures = known
-    run = OverTimeRun(
-        shots, one.annotations, one.cameras, one.setup, threshold,
-        camera_size=one.camera_size, pictures=pictures, executor=executor,
-    )  # fmt: skip
-    with progress_bar(f"{one.method} over time") as progress:
-        measured = []
-        for shot in run:
-            measured.append(shot)
-            progress(len(measured), run.total)
-    require_shots(measured, told_by)
-    described = one.setup.describe(any(shot.ground_only for shot in measured))
-    return TemporalMetrics(one.set_name, one.method, tuple(measured), told_by, described, threshold)

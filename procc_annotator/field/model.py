@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import BriefRepr
 from procc_annotator.field.dimensions import Dimension, Relation
 from procc_annotator.field.geometry import (
     Covariance,
@@ -242,8 +243,8 @@ class PixelAspect:
     probability: float
 
 
-@dataclass(frozen=True)
-class Field:
+@dataclass(frozen=True, repr=False)
+class Field(BriefRepr):
     """A sports field: elements in a fixed order, its symmetries, and extra classes.
 
     ``classes_without_geometry`` may occur in files (``Line unknown``). ``rules`` is the rule book

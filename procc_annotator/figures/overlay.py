@@ -11,10 +11,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray
+from procc_annotator.errors import SaveError
+from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction.label_placement import place_apart
 from procc_annotator.interaction.overlay import OverlayBuilder, OverlayContent
 from procc_annotator.interaction.overlay_primitives import Box, Labels, Overlay, PointMarks, Strokes
-from procc_annotator.report.overlay_scene import OverlayLook, Scene, check_pixels
+from procc_annotator.report.overlay_scene import (
+    OverlayLook,
+    Scene,
+    caption,
+    check_pixels,
+    pixels_of,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -226,3 +234,31 @@ def _draw_labels(
             box = place_apart((left, top, left + wide, top + high), taken, room)
             taken.append(box)
             text.set_position((box[0] + 3 * unit, (box[1] + box[3]) / 2))
+
+
+class PlainPictures:
+    """Paint overlays without Qt: called with a scene, gives the encoded picture."""
+
+    def __init__(self, suffix: str, look: OverlayLook) -> None:
+        self._suffix, self._look = suffix, look
+
+    def __call__(self, scene: Scene) -> bytes:
+        drawn = self._drawn(scene, svg=self._suffix == ".svg")
+        if isinstance(drawn, bytes):
+            return drawn
+        done, encoded = cv2.imencode(self._suffix, drawn[:, :, :3])
+        if not done:
+            raise SaveError(f"{scene.title}: the overlay cannot be encoded as {self._suffix}")
+        return encoded.tobytes()
+
+    def pixels(self, scene: Scene) -> PixelArray:
+        drawn = self._drawn(scene, svg=False)
+        assert not isinstance(drawn, bytes)
+        return drawn
+
+    def _drawn(self, scene: Scene, *, svg: bool) -> PixelArray | bytes:
+        pixels = pixels_of(scene)
+        words = caption(scene) if self._look.caption else ""
+        return draw_overlay(
+            pixels, scene_content(scene, pixels), self._look, caption=words, svg=svg
+        )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Container, Iterable
+from collections.abc import Callable, Container, Iterable
 from pathlib import PurePosixPath
 from typing import Any, TypeVar, overload
 
@@ -170,6 +170,23 @@ class FrameTable(ByFrame[T]):
     """Table by frame name, whichever folders keep the pictures."""
 
     picture_folders = PICTURE_FOLDERS
+
+
+def frame_finder(frames: ByFrame[Any]) -> Callable[[str], str | None]:
+    """Return what finds the frame that a name in a table means: the one of that name, or of a bare
+    number the only one that ends in it (12: ``000012``)."""
+    numbers: dict[int, list[str]] = {}
+    for name in frames:
+        if digits := re.search(r"[0-9]+$", name):
+            numbers.setdefault(int(digits[0]), []).append(name)
+
+    def find(name: str) -> str | None:
+        if name in frames or not re.fullmatch("[0-9]+", name):
+            return frames.name_there(name)
+        alike = numbers.get(int(name), [])
+        return alike[0] if len(alike) == 1 else None
+
+    return find
 
 
 _LONGEST_NAME = 200

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from procc_annotator.arrays import FloatArray, IntArray
+from procc_annotator.arrays import BriefRepr, FloatArray, IntArray
 from procc_annotator.camera.base import Camera, CameraOrProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -212,8 +212,8 @@ class DisagreementStatistics:
     pixels: MapSummary
 
 
-@dataclass(frozen=True, eq=False)
-class Disagreement:
+@dataclass(frozen=True, eq=False, repr=False)
+class Disagreement(BriefRepr):
     """Disagreement of two cameras, pixel by pixel.
 
     Attributes:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -159,6 +159,7 @@ def transform_points(matrix: FloatArray, points: FloatArray) -> tuple[FloatArray
 
 _FIT_GRID = (48, 27)
 _MIN_SAMPLES = 8
+_ERROR_GRID = 200  # places along each side of a region at which a homography is compared
 _ON_GROUND_TOLERANCE_M = 1e-6
 
 
@@ -233,3 +234,62 @@ def _fit_homography(
     matrix = np.asarray(found, dtype=np.float64)
     depth = ground[on_field] @ matrix[2, :2] + matrix[2, 2]
     return GroundHomography(matrix if np.median(depth) > 0 else -matrix, False)
+
+
+def region_of(region: str | Sequence[float], field: Field) -> GroundRectangle:
+    """The rectangle of ``field`` (its field of play) or of X0, Y0, X1, Y1 (metres), as text or
+    numbers.
+
+    Raises:
+        UsageError: it is neither.
+    """
+    if region == "field":
+        return field_rectangle(field)
+    try:
+        numbers = [float(v) for v in (region.split(",") if isinstance(region, str) else region)]
+        (x0, x1), (y0, y1) = sorted(numbers[::2]), sorted(numbers[1::2])
+    except (TypeError, ValueError):
+        x0 = x1 = y0 = y1 = np.nan
+    if not (x0 < x1 and y0 < y1 and np.isfinite((x0, x1, y0, y1)).all()):
+        raise UsageError(f"region: expected field, or X0,Y0,X1,Y1 in metres, found {region!r}")
+    return GroundRectangle(x0, y0, x1, y1)
+
+
+@dataclass(frozen=True)
+class NearestHomography:
+    """The homography nearest to a camera over a region, as a camera, and how far it is off there.
+
+    Attributes:
+        camera: px of the picture.
+        max_m, mean_m: distance on the ground of what a pixel of the region means to both.
+        max_px, mean_px: distance in the picture of where both show a place of the region.
+    """
+
+    camera: HomographyCamera
+    max_m: float
+    mean_m: float
+    max_px: float
+    mean_px: float
+
+
+def nearest_homography(
+    camera: Camera, region: GroundRectangle, size: tuple[int, int]
+) -> NearestHomography | None:
+    """The homography of a camera by least squares of pixels over what the picture shows of a
+    region; None where that is too little, and for a camera in the ground."""
+    found = ground_homography_of(camera, region, size)
+    if found is None:
+        return None
+    (left, top), (right, bottom) = region.corners[0], region.corners[2]
+    axes = np.linspace(left, right, _ERROR_GRID), np.linspace(top, bottom, _ERROR_GRID)
+    ground = np.stack(np.meshgrid(*axes), axis=-1).reshape(-1, 2)
+    px, shown = camera.project(np.column_stack((ground, np.zeros(len(ground)))))
+    shown &= ((px >= 0) & (px <= np.subtract(size, 1))).all(axis=1)
+    nearest = HomographyCamera(found.image_from_ground)
+    by_matrix = transform_points(found.image_from_ground, ground[shown])[0]
+    off_px = np.hypot(*(by_matrix - px[shown]).T)
+    off_m = np.hypot(*(nearest.ground_from_px(px[shown]) - ground[shown]).T)
+    if not len(off_px):
+        return None
+    worst = [float(v.max()) for v in (off_m, off_px)]
+    return NearestHomography(nearest, worst[0], float(off_m.mean()), worst[1], float(off_px.mean()))

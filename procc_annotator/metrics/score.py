@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from procc_annotator.arrays import BoolArray, FloatArray
+from procc_annotator.arrays import BoolArray, BriefRepr, FloatArray
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.measurement import Labelling, Measurement
 from procc_annotator.metrics.polylines import Polylines
@@ -48,8 +48,8 @@ class ElementScore:
         return self.max_distance
 
 
-@dataclass(frozen=True, eq=False)
-class FrameScore:
+@dataclass(frozen=True, eq=False, repr=False)
+class FrameScore(BriefRepr):
     """The score of one frame at one threshold, from the labelling that counts.
 
     Attributes:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as dataclass_field
 from functools import cached_property
@@ -220,12 +220,14 @@ class FieldTables:
         )
 
 
-def check_thresholds(thresholds: Sequence[float]) -> tuple[float, ...]:
-    """The thresholds without repetitions, in the order given.
+def check_thresholds(thresholds: float | Sequence[float]) -> tuple[float, ...]:
+    """The thresholds, one or several, without repetitions, in the order given.
 
     Raises:
         UsageError: none given, or one that is not a positive number of pixels.
     """
+    if not isinstance(thresholds, Iterable):
+        thresholds = (thresholds,)
     for threshold in thresholds:
         number = isinstance(threshold, int | float | np.number) and type(threshold) is not bool
         if not (number and math.isfinite(threshold) and threshold > 0):

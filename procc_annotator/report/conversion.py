@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from procc_annotator.camera.base import ElementProjections
 from procc_annotator.dataset.annotation_source import open_files
 from procc_annotator.dataset.diagnostics import refuse_other_content
 from procc_annotator.dataset.layout import annotations_or_path
@@ -23,20 +24,24 @@ from procc_annotator.formats.annotations.exchange import ExchangedFrame, ReadCon
 from procc_annotator.formats.annotations.label_map import LabelMap
 from procc_annotator.formats.annotations.registry import ReadSet, SetReader, format_named
 from procc_annotator.formats.cameras.collection import CameraCollection
-from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX, sidecar_content
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera, fit_to_size
+from procc_annotator.formats.cameras.polylines import encode_whole
 from procc_annotator.formats.cameras.submissions import (
     FORMAT,
     Manifest,
     encode_manifest,
-    encode_polylines,
     names_sha256,
 )
 from procc_annotator.formats.cameras.writers import ConvertedCameras, write_cameras
 from procc_annotator.formats.file_listing import MANIFEST_FILE
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.image.headers import PICTURE_SUFFIXES
-from procc_annotator.metrics.projection import project_measured
+from procc_annotator.metrics.ground_plane import (
+    GroundRectangle,
+    NearestHomography,
+    nearest_homography,
+)
+from procc_annotator.metrics.projection import complete_projections
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.conversion_output import (
     ConversionRequest,
@@ -235,6 +240,7 @@ def export_cameras(
     size: tuple[int, int] | None = None,
     camera_size: tuple[int, int] | None = None,
     split: str = "test",
+    region: GroundRectangle | None = None,
     progress: Progress | None = None,
 ) -> ConvertedCameras:
     """Write every camera of a collection in another format.
@@ -246,6 +252,7 @@ def export_cameras(
         size: (width, height) px the cameras shall be written for; by default their own.
         camera_size: the picture size their pixels belong to, where their files do not say.
         split: the folder inside a submission.
+        region: of the ground, metres, over which cameras become homographies; None for none.
         progress: called with cameras done and cameras in all.
 
     Raises:
@@ -253,8 +260,9 @@ def export_cameras(
         SaveError: writing failed; an archive is then not there, or the old one.
     """
     _check_apart_from_source(cameras.path, out)
-    return write_cameras(
-        _read(cameras, camera_size),
+    errors: dict[str, NearestHomography] = {}
+    done = write_cameras(
+        _read(cameras, camera_size, region, errors),
         out,
         to,
         size=size,
@@ -262,18 +270,43 @@ def export_cameras(
         total=len(cameras.frames),
         progress=progress,
     )
+    worst = sorted(errors, key=lambda frame: errors[frame].max_m, reverse=True)
+    if worst:
+        every = [
+            f"{frame} {one.max_m:.2g} m, {one.max_px:.2g} px (mean {one.mean_m:.2g} m,"
+            f" {one.mean_px:.2g} px)"
+            for frame, one in ((frame, errors[frame]) for frame in worst[:_WORST])
+        ]
+        what = "largest errors of the homographies in the region, in px of the cameras"
+        done.losses[f"{what}: {'; '.join(every)}"] = len(worst)
+    return done
+
+
+_WORST = 10  # frames of which the errors of homographies are listed, the worst first
 
 
 def _read(
-    cameras: CameraCollection, camera_size: tuple[int, int] | None
+    cameras: CameraCollection,
+    camera_size: tuple[int, int] | None,
+    region: GroundRectangle | None,
+    errors: dict[str, NearestHomography],
 ) -> Iterator[tuple[str, LoadedCamera | CameraError]]:
     for frame in cameras.frames:
         try:
             loaded = cameras.read(frame)
         except CameraError as error:
             yield frame, error
-        else:
-            yield frame, replace(loaded, size=loaded.size_where(camera_size))
+            continue
+        loaded = replace(loaded, size=loaded.size_where(camera_size))
+        if region is not None and loaded.size and not isinstance(loaded.camera, ElementProjections):
+            found = nearest_homography(loaded.camera, region, loaded.size)
+            if found is None:
+                place, problem = cameras.display(frame), "shows too little of the region"
+                yield frame, CameraError(place, problem, advice="name another --region")
+                continue
+            errors[frame] = found
+            loaded = replace(loaded, camera=found.camera, model="homography")
+        yield frame, loaded
 
 
 def _check_apart_from_source(source: Path, out: Path) -> None:
@@ -328,9 +361,7 @@ def export_polylines(
                 done.problems.append(str(error))
                 continue
             done.losses.update([*loaded.notices, *([notice] if notice else [])])
-            pieces = project_measured(camera, setup.of_frame(frame))
-            archive.write(f"{frame}.json", encode_polylines(pieces, setup.size))
-            if loaded.fitted_on is not None:
-                archive.write(f"{frame}{SIDECAR_SUFFIX}", sidecar_content(loaded.fitted_on))
+            whole = complete_projections(camera, setup, frame)
+            archive.write(f"{frame}.json", encode_whole(whole, setup.size, loaded.fitted_on))
             done.written += 1
     return done

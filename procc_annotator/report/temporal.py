@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.batch.temporal import ShotOverTime
+from procc_annotator.batch.execution.executor import Executor
+from procc_annotator.batch.grouping import ShotFrames
+from procc_annotator.batch.temporal import OverTimeRun, ShotOverTime, require_shots
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.cameras.fit_record import (
     FITTED_KEYS,
@@ -21,6 +23,7 @@ from procc_annotator.formats.cameras.fit_record import (
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.temporal.discontinuities import FrameOffset
 from procc_annotator.metrics.temporal.jitter import shot_rms
+from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
 from procc_annotator.report.tables.table import (
@@ -142,6 +145,35 @@ def terms_over_time(found: Sequence[TemporalMetrics]) -> str:
     return min((one.described for one in found), key=len)
 
 
+def measure_over_time(
+    one: EvaluationRequest,
+    known: tuple[Sequence[ShotFrames], str, Mapping[str, Path]],
+    threshold: float,
+    executor: Executor,
+    progress: Callable[[int, int], None] = lambda _done, _total: None,
+) -> TemporalMetrics:
+    """Measure a source over the shots of a set.
+
+    Args:
+        known: the shots, what says so, and pictures by frame. threshold: px, of JaC.
+
+    Raises:
+        UsageError: frames that do not follow each other.
+    """
+    shots, told_by, pictures = known
+    run = OverTimeRun(
+        shots, one.annotations, one.cameras, one.setup, threshold,
+        camera_size=one.camera_size, pictures=pictures, executor=executor,
+    )  # fmt: skip
+    measured = []
+    for shot in run:
+        measured.append(shot)
+        progress(len(measured), run.total)
+    require_shots(measured, told_by)
+    described = one.setup.describe(any(shot.ground_only for shot in measured))
+    return TemporalMetrics(one.set_name, one.method, tuple(measured), told_by, described, threshold)
+
+
 def shots_over_time_table(found: Sequence[TemporalMetrics]) -> MetricTable:
     """Every figure: a row a source and shot; above those of several shots one of all of them."""
     rows: list[tuple[Value, ...]] = []
@@ -256,8 +288,7 @@ def _shot_row(one: TemporalMetrics, shot: ShotOverTime) -> tuple[Value, ...]:
         one.source,
         shot.shot.name,
         len(shot.shot.frames),
-        shot.fits.these,
-        shot.fits.another,
+        *shot.fits.values,
         shot.mean_jac,
         shot.jitter_px,
         shot.jitter_m,

@@ -86,7 +86,7 @@ def test_the_score_is_that_of_the_metric():
     )
     setup = EvaluationSetup(field, (960, 540), "procc")
     expected = score(measure(annotation, camera, setup), 8.0)
-    found = evaluate(annotation, camera, tau=8.0, protocol="procc")
+    found = evaluate(annotation, camera, threshold=8.0, protocol="procc")
     assert (found.jac, found.tp, found.fp, found.fn) == (
         expected.jac, expected.tp, expected.fp, expected.fn,
     )  # fmt: skip
@@ -109,12 +109,12 @@ def test_a_fit_brings_its_picture_size_along():
     annotation = load_annotation(FRAME)
     fit = fit_camera(annotation, size=(1920, 1080))
     alone = evaluate(annotation, fit_camera(annotation))
-    assert evaluate(annotation, fit, tau=10.0).jac == alone.jac == 1.0
+    assert evaluate(annotation, fit, threshold=10.0).jac == alone.jac == 1.0
     assert evaluate(annotation, fit).max_error == pytest.approx(2 * alone.max_error, rel=0.02)
     assert evaluate(annotation, fit, size=(960, 540)).max_error == pytest.approx(
         alone.max_error, rel=0.02
     )
-    assert evaluate(annotation, fit.camera, size=(1920, 1080), tau=10.0).jac == 1.0
+    assert evaluate(annotation, fit.camera, size=(1920, 1080), threshold=10.0).jac == 1.0
     failed = fit_camera(FrameAnnotation(annotation.polylines[:2]))
     with pytest.raises(UsageError, match="the fit failed: 2 elements, 3 needed"):
         evaluate(annotation, failed)
@@ -124,7 +124,7 @@ def test_a_fit_brings_its_picture_size_along():
 def test_a_threshold_is_a_positive_number(tau):
     annotation = load_annotation(FRAME)
     with pytest.raises(UsageError, match="threshold must be a positive number"):
-        evaluate(annotation, fit_camera(annotation), tau=tau)
+        evaluate(annotation, fit_camera(annotation), threshold=tau)
 
 
 @pytest.mark.parametrize(
@@ -270,12 +270,11 @@ def test_the_thresholds_of_a_curve_are_numbers(thresholds):
         jac_curve(load_annotation(FRAME), load_camera(CAMERA), thresholds)
 
 
-@pytest.mark.parametrize("thresholds", [None, 5])
-def test_a_set_takes_several_thresholds(thresholds):
-    with pytest.raises(UsageError, match="thresholds: expected numbers"):
-        evaluate_set(
-            {"1": load_annotation(FRAME)}, {"1": load_camera(CAMERA)}, thresholds=thresholds
-        )
+def test_a_set_takes_one_threshold_or_several():
+    given = {"1": load_annotation(FRAME)}, {"1": load_camera(CAMERA)}
+    with pytest.raises(UsageError, match="a positive number of pixels, not None"):
+        evaluate_set(*given, thresholds=None)
+    assert list(evaluate_set(*given, thresholds=5).summaries) == [5.0]
 
 
 # Overlay pictures as arrays, findings, and where a camera shows the field.

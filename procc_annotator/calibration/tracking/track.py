@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from procc_annotator.arrays import BriefRepr
 from procc_annotator.calibration.result import FitResult
 
 # Given beforehand; measured on the frame's own paint; propagated by the picture's motion; none.
@@ -43,8 +44,8 @@ class TrackedFrame:
     explained: float | None = None
 
 
-@dataclass(frozen=True, eq=False)
-class Track:
+@dataclass(frozen=True, eq=False, repr=False)
+class Track(BriefRepr):
     """The cameras of a run of frames.
 
     Attributes:

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.arrays import BriefRepr
 from procc_annotator.camera.base import CameraOrProjections, ElementProjections, scaled_camera
 from procc_annotator.camera.models import FisheyeCamera, MatrixCamera, PinholeCamera
 from procc_annotator.errors import CameraError
@@ -24,8 +25,8 @@ from procc_annotator.formats.frame_names import (
 from procc_annotator.formats.strict_json import printable
 
 
-@dataclass(frozen=True, eq=False)
-class LoadedCamera:
+@dataclass(frozen=True, eq=False, repr=False)
+class LoadedCamera(BriefRepr):
     """A camera as read.
 
     Attributes:

@@ -7,7 +7,6 @@ projections have a key ``format`` and are recognised by it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import msgspec
@@ -15,6 +14,7 @@ import numpy as np
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.base import ElementProjections
+from procc_annotator.formats.cameras.fit_record import DIGEST, FIT_KEY
 from procc_annotator.formats.cameras.json_values import JsonValues
 from procc_annotator.formats.cameras.loaded_camera import CameraRecord, CameraRecords, LoadedCamera
 from procc_annotator.formats.strict_json import is_finite_number, json_kind, json_repr, printable
@@ -78,9 +78,13 @@ def is_whole(content: object) -> bool:
 
 
 def encode_whole(
-    projections: ElementProjections, size: tuple[int, int], more: Mapping[str, Any]
+    projections: ElementProjections, size: tuple[int, int], fitted_on: str | None
 ) -> bytes:
-    """A frame's file, of projections with samples in px of ``size``; numbers keep all digits."""
+    """A frame's file, of projections with samples in px of ``size``; numbers keep all digits.
+
+    Args:
+        fitted_on: digest of the annotation that the camera was fitted to, if that is known.
+    """
     assert projections.samples is not None
     return msgspec.json.encode(
         {
@@ -88,7 +92,7 @@ def encode_whole(
             "size": size,
             "ground_only": projections.ground_only,
             "field_sha256": projections.field_sha256,
-            **more,
+            **({} if fitted_on is None else {FIT_KEY: {DIGEST: fitted_on}}),
             "pieces": {n: [px.tolist() for px in own] for n, own in projections.pieces.items()},
             "samples": {
                 name: [None if x != x or y != y else (x, y) for x, y in px.tolist()]

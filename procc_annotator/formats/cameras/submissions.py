@@ -15,7 +15,6 @@ from typing import Any
 import msgspec
 from natsort import natsorted
 
-from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.field.model import Field
@@ -227,7 +226,6 @@ def _names(names: list[str]) -> str:
 
 FORMAT = "procc-annotator polylines 1"
 POLYLINES = "polylines"  # the format of the files
-_DIGITS = 9  # of shares: a millionth of a pixel
 _LONGEST_NAME = 60
 
 
@@ -264,24 +262,6 @@ def names_sha256(names: Iterable[str]) -> str:
 def encode_manifest(manifest: Manifest) -> bytes:
     """As the file of the archive."""
     return msgspec.json.format(msgspec.json.encode(manifest), indent=1) + b"\n"
-
-
-def encode_polylines(pieces: Mapping[str, tuple[FloatArray, ...]], size: tuple[int, int]) -> bytes:
-    """A frame's file.
-
-    Args:
-        pieces: element -> its pieces, each (n, 2) px of ``size``.
-        size: (width, height) px.
-    """
-    largest = (size[0] - 1, size[1] - 1)
-    content = {
-        name: [
-            [{"x": round(x, _DIGITS), "y": round(y, _DIGITS)} for x, y in (px / largest).tolist()]
-            for px in parts
-        ]
-        for name, parts in pieces.items()
-    }
-    return msgspec.json.encode(content)
 
 
 def holds_manifest(path: Path) -> bool:

@@ -32,6 +32,7 @@ from procc_annotator.formats.strict_json import printable
 from procc_annotator.metrics.official import folds_into_image, soccernet_tables
 
 OFFICIAL_SIZE = (960, 540)
+_NEAREST = " (--region field, or homography_of in Python, gives the nearest one)"
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same cameras give the same archive
 _SIZE_KEYS = ("image_width", "image_height", "width", "height")
 
@@ -118,9 +119,9 @@ def _homography(convention: str, as_text: bool) -> Callable[[LoadedCamera], tupl
         elif isinstance(camera, HomographyCamera):
             image_from_world = camera.image_from_world
         elif isinstance(camera, PinholeCamera | FisheyeCamera):
-            raise ValueError("a homography cannot hold lens distortion")
+            raise ValueError(f"a homography cannot hold lens distortion{_NEAREST}")
         else:
-            raise ValueError(f"a homography cannot hold {_called(camera)}")
+            raise ValueError(f"a homography cannot hold {_called(camera)}{_NEAREST}")
         if loaded.size is None:
             raise ValueError(
                 "the camera names no picture size, a homography needs one (--camera-size)"

@@ -34,8 +34,8 @@ class PairedDifference:
         interval: of it; None with fewer than two clusters.
         deviation: its standard deviation; None where there is no interval.
         p: the share of exchanges of the two sources that differ as much (permutation test).
-        corrected: the same for as many comparisons as were corrected together (Holm); equals `p`
-            for one.
+        corrected: the same for as many comparisons as were corrected together (Holm); None where
+            none were, and `p` decides.
         frames, clusters: how many it rests on; effective: as many clusters of equal size.
     """
 
@@ -50,12 +50,13 @@ class PairedDifference:
 
     @property
     def beyond_chance(self) -> bool:
-        """Return whether interval and corrected test agree that the two differ."""
+        """Return whether interval and test, corrected if it was, agree that the two differ."""
+        p = self.p if self.corrected is None else self.corrected
         return (
             self.interval is not None
-            and self.corrected is not None
+            and p is not None
             and self.interval.excludes(0.0)
-            and self.corrected < 1 - self.interval.level
+            and p < 1 - self.interval.level
         )
 
 

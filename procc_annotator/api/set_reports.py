@@ -1,0 +1,313 @@
+"""What the commands say of sets: reports, many methods, agreement of annotators, two methods."""
+
+from __future__ import annotations
+
+import datetime
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any, TypedDict, Unpack
+
+from procc_annotator.annotation import FrameAnnotation, as_size
+from procc_annotator.api.inputs import as_annotation, as_field, as_optional_size, as_path, kind_of
+from procc_annotator.api.loading import Dataset, load_dataset
+from procc_annotator.api.methods import Method, write_method
+from procc_annotator.batch.agreement import AgreementRun, ConsensusRun
+from procc_annotator.batch.comparison import ComparisonRun
+from procc_annotator.batch.execution.executor import Executor, make_executor
+from procc_annotator.batch.grouping import shots_by_name
+from procc_annotator.batch.set_run import annotations_for
+from procc_annotator.calibration.fitting import DEFAULT_SIZE
+from procc_annotator.dataset.annotation_source import open_annotations
+from procc_annotator.dataset.camera_set import CameraSet
+from procc_annotator.dataset.layout import annotations_of
+from procc_annotator.errors import ProccError, UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.figures.disagreement import DisagreementPainter
+from procc_annotator.figures.overlay import PlainPictures
+from procc_annotator.formats.annotations.soccernet import write_annotation
+from procc_annotator.formats.atomic import make_folder
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.file_source import FileSource
+from procc_annotator.formats.frame_names import file_of_frame
+from procc_annotator.interaction.palette import SOURCE_COLOURS
+from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
+from procc_annotator.report.agreement import compare_annotators as agreement_of
+from procc_annotator.report.comparison import compare_sources, write_comparison
+from procc_annotator.report.consensus import write_agreement
+from procc_annotator.report.overlay_scene import OverlayLook
+from procc_annotator.report.page import report
+from procc_annotator.report.page.overlays import Painters
+from procc_annotator.report.page.report_data import NamedCameras, ReportWork, gather_report
+from procc_annotator.report.scores.inference import InferenceSettings
+from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations
+from procc_annotator.report.temporal import TemporalMetrics, measure_over_time, over_time_entries
+
+Annotations = Mapping[str, FrameAnnotation] | Dataset | str | Path
+
+
+class SetOptions(TypedDict, total=False):
+    """How annotations and methods are compared, as of `evaluate_set`; ``workers``: processes that
+    share the work, 1 if not given, 0 for as many as the machine has."""
+
+    field: Field | str | None
+    size: tuple[int, int]
+    camera_size: tuple[int, int] | None
+    protocol: str
+    allow_mirrored: bool
+    off_plane: str
+    planar_only: bool
+    workers: int
+
+
+@dataclass(frozen=True)
+class _Opened:
+    name: str
+    source: FileSource
+    cameras: dict[str, CameraCollection]
+    setup: EvaluationSetup
+    camera_size: tuple[int, int] | None
+    pictures: Mapping[str, Path]
+    executor: Executor
+    folder: Path
+
+    @property
+    def sets(self) -> list[CameraSet]:
+        return [CameraSet(one, name, self.camera_size) for name, one in self.cameras.items()]
+
+    @property
+    def requests(self) -> list[EvaluationRequest]:
+        return [
+            EvaluationRequest(
+                self.name, method, self.source, one, self.setup, camera_size=self.camera_size
+            )
+            for method, one in self.cameras.items()
+        ]
+
+    def over_time(self, threshold: float) -> list[TemporalMetrics]:
+        """Of each method, over the shots that the names of frames tell."""
+        found = []
+        for one in self.requests:
+            names = dict.fromkeys(annotations_for(one.cameras.frames, self.source))
+            shots = shots_by_name(names | dict.fromkeys(one.cameras.frames))
+            by_name = shots, "by the names of frames", dict[str, Path]()
+            found.append(measure_over_time(one, by_name, threshold, self.executor))
+        return found
+
+
+@contextmanager
+def _opened(
+    annotations: Annotations, methods: Mapping[str, Any], options: SetOptions
+) -> Iterator[_Opened]:
+    """Annotations and methods as the commands read them; what is given as values is written to a
+    folder that is removed afterwards."""
+    if not isinstance(methods, Mapping):
+        raise UsageError(f"methods: expected them by name, found {kind_of(methods)}")
+    field = options.get("field")
+    with ExitStack() as opened:
+        folder = Path(opened.enter_context(TemporaryDirectory(prefix="procc-")))
+        if isinstance(annotations, str | Path):
+            annotations = load_dataset(annotations, field)
+        if isinstance(annotations, Dataset):
+            known = annotations.field if field is None else as_field(field)
+            place, pictures = annotations_of(annotations.path), annotations.pictures
+            name, frames = annotations.path.name, annotations.annotations
+        else:
+            known, place, pictures = as_field(field), folder / "annotations", {}
+            name, frames = place.name, annotations
+            _write_annotations(annotations, place)
+        setup = EvaluationSetup(
+            known, as_size(options.get("size", DEFAULT_SIZE)), options.get("protocol", "soccernet"),
+            options.get("allow_mirrored", False), options.get("off_plane", "missed"),
+            options.get("planar_only", False),
+        )  # fmt: skip
+        own = as_optional_size(options.get("camera_size"))
+        cameras = {}
+        for number, (called, method) in enumerate(methods.items()):
+            if isinstance(method, str | Path):
+                at = Path(method)
+            else:
+                at = folder / str(number) / called.replace("/", "_")
+                write_method(at, method, frames, setup, own)
+            cameras[called] = opened.enter_context(CameraCollection.open(at, field=known))
+        source = opened.enter_context(open_annotations(place, known))
+        executor = opened.enter_context(make_executor(options.get("workers", 1) or None))
+        yield _Opened(name, source, cameras, setup, own, pictures, executor, folder)
+
+
+def _write_annotations(annotations: Mapping[str, FrameAnnotation], folder: Path) -> None:
+    make_folder(folder)
+    for name, annotation in annotations.items():
+        path = folder / file_of_frame(name, ".json")
+        make_folder(path.parent)
+        path.write_bytes(write_annotation(as_annotation(annotation)))
+
+
+def _content(path: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(path.read_bytes())
+    return found
+
+
+def write_report(
+    path: str | Path | Sequence[str | Path],
+    annotations: Annotations,
+    methods: Mapping[str, Any],
+    *,
+    thresholds: float | Sequence[float] = (5.0, 2.0, 10.0),
+    title: str = "",
+    over_time: bool = False,
+    disagreement: Sequence[tuple[str, str]] = (),
+    seed: int = 1,
+    **options: Unpack[SetOptions],
+) -> tuple[str, ...]:
+    """Write the page, tables and figures of the command ``report``.
+
+    Args:
+        path: files that end in .html, .csv, .json or .tex; one or several.
+        annotations: as of `evaluate_set`.
+        methods: name -> cameras: the path of their files, cameras by frame name, a list of them in
+            the order of the frames, or a function of the frame's name.
+        thresholds: px, the leading one first.
+        title: of the page.
+        over_time: whether jitter and jumps are reported, too.
+        disagreement: pairs of methods to compare on the ground.
+        seed: of random frames and resamples.
+        **options: see `SetOptions`.
+
+    Returns:
+        One line each: what could not be used.
+
+    Raises:
+        UsageError: an argument of another kind, or nothing to report. InputError: a file.
+        SaveError: a file cannot be written.
+    """
+    files = [as_path(one, "a report") for one in ([path] if isinstance(path, str | Path) else path)]
+    kinds, chosen = set(map(report.report_kind, files)), check_thresholds(thresholds)
+    with _opened(annotations, methods, options) as one:
+        today = datetime.date.today().isoformat()
+        request = report.ReportRequest(
+            title or f"Cameras of {one.name}", today, seed=seed, disagreement=tuple(disagreement)
+        )
+        report.check_request(request, list(one.cameras))
+        work = ReportWork(one.executor, one.camera_size)
+        gathered = gather_report(
+            one.name, one.source, [NamedCameras(*each) for each in one.cameras.items()],
+            one.setup, chosen, work, InferenceSettings(draws=BootstrapSettings(seed=seed)),
+        )  # fmt: skip
+        steady = tuple(one.over_time(chosen[0])) if over_time else ()
+        material = report.ReportInputs(one.source, one.sets, one.pictures, steady)
+        look = OverlayLook(widest=960, caption=False, emphasis=1.7)
+        painters = report.ReportPainters(
+            Painters(PlainPictures(".jpg", look), PlainPictures(".png", look)),
+            Painters(DisagreementPainter(".jpg"), DisagreementPainter(".png")),
+            SOURCE_COLOURS,
+        )
+        drawn = painters if "html" in kinds else None
+        problems = report.write_report(gathered, material, request, drawn, files, work)
+        return tuple(dict.fromkeys([*gathered.failures(), *problems]))
+
+
+def compare_methods(
+    annotations: Annotations,
+    methods: Mapping[str, Any],
+    *,
+    thresholds: float | Sequence[float] = (5.0,),
+    cluster: str | None = None,
+    resamples: int = 10_000,
+    seed: int = 1,
+    over_time: bool = False,
+    **options: Unpack[SetOptions],
+) -> dict[str, Any]:
+    """Evaluate many methods: intervals, paired tests corrected over all pairs (Holm), ranks, and
+    the elements left out of fits where their files have them (leave-one-element-out).
+
+    Args:
+        annotations: as of `evaluate_set`.
+        methods: as of `write_report`.
+        thresholds: px.
+        cluster: as of `SetScore.intervals`, by name.
+        resamples: how often the set is resampled. seed: of these.
+        over_time: whether jitter, jumps and outages over the shots are measured, too; frames of
+            a shot are those whose names count on.
+        **options: see `SetOptions`.
+
+    Returns:
+        The content of the JSON that ``evaluate --intervals --output`` writes: of each evaluation
+        its frames and summary; ``chance`` with the tables ``intervals``, ``differences`` and
+        ``ranks``, whose ``rows`` a DataFrame takes; ``over_time`` with the tables over time.
+
+    Raises:
+        UsageError, InputError: as of `write_report`.
+    """
+    settings = InferenceSettings(cluster, draws=BootstrapSettings(resamples, seed))
+    chosen = check_thresholds(thresholds)
+    with _opened(annotations, methods, options) as one:
+        file, unwritten = one.folder / "scores.json", dict[Path, ProccError]()
+        run = Evaluations(one.requests, chosen, [file], named=True, settings=settings)
+        run.score(one.executor, lambda steps, *_: iter(steps), unwritten)
+        for error in unwritten.values():
+            raise error
+        more = {"over_time": over_time_entries(one.over_time(chosen[0]))} if over_time else {}
+        return _content(file) | more
+
+
+def compare_annotators(
+    annotators: Mapping[str, Annotations],
+    *,
+    thresholds: float | Sequence[float] = (5.0,),
+    **options: Unpack[SetOptions],
+) -> dict[str, Any]:
+    """Compare two or more annotators of the same frames.
+
+    Args:
+        annotators: name -> annotations as of `evaluate_set`, in the order a, b, ...
+        thresholds: px.
+        **options: ``field``, ``size`` and ``workers`` of `SetOptions`.
+
+    Returns:
+        The content of the JSON that ``agree --output`` writes.
+
+    Raises:
+        UsageError: nothing to compare. InputError: a file cannot be used.
+    """
+    with ExitStack() as opened:
+        every = [opened.enter_context(_opened(one, {}, options)) for one in annotators.values()]
+        sources, given = [one.source for one in every], check_thresholds(thresholds)
+        call = every[0].setup.field, every[0].setup.size, given
+        of_two = len(sources) == 2
+        run = (
+            AgreementRun(sources[0], sources[1], *call) if of_two else ConsensusRun(sources, *call)
+        )
+        run.executor = every[0].executor
+        file = every[0].folder / "agreement.json"
+        write_agreement(agreement_of(run), file)
+        return _content(file)
+
+
+def compare_cameras(
+    a: Method, b: Method, frames: Sequence[str] | None = None, **options: Unpack[SetOptions]
+) -> dict[str, Any]:
+    """Compare two methods over a set: how far apart is what each pixel means to them?
+
+    Args:
+        a: as of `write_report`; the reference of the metrics of earlier papers.
+        b: the other method.
+        frames: names of those to compare; None for all that both have.
+        **options: ``field``, ``size``, ``camera_size`` and ``workers`` of `SetOptions`.
+
+    Returns:
+        The content of the JSON that ``compare --output`` writes.
+
+    Raises:
+        UsageError, InputError: as of `write_report`.
+    """
+    with _opened(dict.fromkeys(frames or (), FrameAnnotation()), {"a": a, "b": b}, options) as one:
+        first, second = one.sets
+        run = ComparisonRun(first, second, one.setup.field, one.setup.size, frames, one.executor)
+        file = one.folder / "comparison.json"
+        write_comparison(compare_sources(run), run, file)
+        return _content(file)
