@@ -455,7 +455,7 @@ def test_an_annotated_video_is_a_dataset_to_every_command(cli, dataset, tmp_path
         done = cli(*command)
     assert (out / "match_000001.json").is_file()
     assert set(load_dataset(video).annotations) == {"match_000001"}
-    done = cli("export", video, out, code=2)  # render draws the frames of a video
+    done = cli("export", video, tmp_path / "exported", code=2)  # render draws the frames of a video
     assert "match.mp4: is a video, and pictures are needed" in done.stderr
 
 

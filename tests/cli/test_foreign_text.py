@@ -59,6 +59,7 @@ def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
         "propose-map": [annotations, out / "map.toml"],
         "release": [evil, out / "rel", "--name", EVIL, "--second-annotator", second, "--no-check"],
         "render": [evil, out / "ren", "--cameras", cameras],
+        "figure": [evil, out / "fig.svg", "--cameras", cameras],
         "check-submission": [annotations],
     }
 
