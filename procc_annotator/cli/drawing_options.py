@@ -45,7 +45,7 @@ class DrawingOptions:
     def open(self, dataset: Path, setup: EvaluationSetup) -> Workspace:
         """A folder, a video or annotations alone; raises as `input_files.open_dataset`."""
         labels = options.label_map(self.labels, setup.field)
-        return input_files.open_dataset(dataset, setup.field, self.annotations, labels, drawn=True)
+        return input_files.open_dataset(dataset, setup.field, self.annotations, labels)
 
     def rendering(
         self,

@@ -64,30 +64,24 @@ Cameras = Annotated[
 
 
 def open_dataset(
-    path: Path,
-    field: Field,
-    annotations: Path | None = None,
-    names: LabelMap | None = None,
-    *,
-    drawn: bool = False,
+    path: Path, field: Field, annotations: Path | None = None, names: LabelMap | None = None
 ) -> Workspace:
-    """The dataset, to be read: its annotations may be of any format. It has a picture.
+    """The dataset, to be read: pictures with annotations of any format, the frames of a video, or
+    annotations without pictures.
 
     Args:
         path, field: of the dataset.
         annotations: where they are, if elsewhere.
         names: what their labels stand for; None: as the dataset's own map says, if it has one.
-        drawn: whether a video is a dataset of all its frames, and annotations without pictures one
-            on plain ground.
 
     Raises:
-        UsageError: no such folder, or no picture in it.
+        UsageError: no such folder, or nothing in it.
         InputError: none of the annotations can be read, or the dataset's map cannot be used.
     """
     for given in (path, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
-    if drawn and path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
+    if path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
         video = open_pictures(path, annotations)
         workspace = Workspace(path, video.frames, field, video.notices, video.folder)
         workspace.given = FrameAnnotations()  # of the folder of its frames
@@ -95,7 +89,7 @@ def open_dataset(
             workspace.given = video.annotated(annotations, field, names)
         report_remarks((*workspace.notices, *video.problems, *workspace.given.notices))
         return workspace
-    if drawn and annotations is None and _is_unpictured(path):
+    if annotations is None and _is_unpictured(path):
         source = open_annotations(annotations_of(path), field, names)  # stays open
         frames = tuple(Frame(name, "", path, path) for name in list_annotations(source))
         if frames:
@@ -103,9 +97,6 @@ def open_dataset(
             workspace = Workspace(path, frames, field, ())
             workspace.given = FrameAnnotations(source)
             return workspace
-    held = "" if path.is_dir() else found_instead_of_pictures(path)
-    if held:
-        raise UsageError(f"nothing to do: there is no picture in {path}{held}")
     workspace = Workspace.open(path, field, annotations)
     if not workspace.frames:
         raise UsageError(f"nothing to do: no picture in {path}{found_instead_of_pictures(path)}")

@@ -165,27 +165,11 @@ def has_packed_pictures(source: FileSource) -> bool:
 
 
 def found_instead_of_pictures(place: Path) -> str:
-    """The same of a dataset without pictures."""
-    if suffix_of(place.name) in PICTURE_SUFFIXES:
-        return ""
-    try:
-        with open_source(place) as source:
-            told = detect_formats(source)
-            packed = has_packed_pictures(source)
-    except (InputError, UsageError):  # what cannot be opened is told where it is needed
-        return ""
-    if not told:
-        return ""
-    titles = " and ".join(known.title for known in told)
-    if packed:
-        return (
-            f", only annotations ({titles}); the pictures are still packed: unpack each {_PACKED}"
-            " into a folder v3_frames beside it"
-        )
-    return (
-        f", only annotations ({titles}): evaluate, check, calibrate, report and convert do without"
-        " pictures"
-    )
+    """Where the pictures of a dataset without any are; empty if nothing says so."""
+    with open_source(place) as source:
+        if not has_packed_pictures(source):
+            return ""
+    return f"; they are still packed: unpack each {_PACKED} into a folder v3_frames beside it"
 
 
 # So many annotated frames show which field a set has.

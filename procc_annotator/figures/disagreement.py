@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.errors import SaveError
+from procc_annotator.errors import SaveError, printable
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.figures.overlay import (
     figure_file,
@@ -271,7 +271,7 @@ class _Panel:
 
 
 def _shortened(name: str) -> str:
-    half = (_LONGEST - 1) // 2
+    half, name = (_LONGEST - 1) // 2, printable(name)
     return name if len(name) <= _LONGEST else f"{name[:half]}…{name[-half:]}"
 
 

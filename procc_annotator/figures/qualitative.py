@@ -8,6 +8,7 @@ from typing import Any
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 
+from procc_annotator.errors import printable
 from procc_annotator.figures.overlay import (
     draw_picture,
     figure_file,
@@ -72,10 +73,18 @@ def qualitative_figure(
                 _caption(axes, scene)
                 if y == _LINE:
                     middle = (x + cell / 2) / width
-                    figure.text(middle, 1 - 2 / height, method, ha="center", va="top", size=_FONT)
+                    figure.text(
+                        middle, 1 - 2 / height, printable(method), ha="center", va="top", size=_FONT
+                    )
             place = 1 - (y + high / 2) / height
             figure.text(
-                2 / width, place, scenes[0].title, rotation=90, va="center", ha="left", size=_FONT
+                2 / width,
+                place,
+                printable(scenes[0].title),
+                rotation=90,
+                va="center",
+                ha="left",
+                size=_FONT,
             )
             y += high + _GAP
         handles = [_handle(entry) for entry in entries]

@@ -122,9 +122,7 @@ def test_what_lies_there_instead_is_told_with_the_command(cli, dataset, tmp_path
     done = cli("evaluate", dataset.cameras, dataset.cameras, code=2)
     assert "it holds 5 cameras (camera_*): give the annotations" in done.stderr
     cli("convert", dataset.root, tmp_path / "lm", "--to", "labelme")
-    done = cli("export", tmp_path / "lm", tmp_path / "out", code=2)
-    assert "no picture in" in done.stderr
-    assert "only annotations (labelme JSON)" in done.stderr
+    assert "5 pictures written" in cli("render", tmp_path / "lm", tmp_path / "out").stdout
 
 
 def test_cameras_instead_of_annotations_are_told_by_their_format(cli, dataset, tmp_path):
