@@ -216,6 +216,6 @@ def legend_above(figure: Figure, charted: Sequence[ChartedMethod]) -> None:
 def chart_label(name: str) -> str:
     """A name as a label; matplotlib leaves out labels that begin with an underscore."""
     if len(name) > 40:
-        end = next((f" ({mark})" for mark in MARKS if name.endswith(f" ({mark})")), "")
-        name = f"{name.removesuffix(end)[: max(38 - len(end), 12)]}…{end}"
+        end = name[len(name.rstrip("".join(MARKS))) :]
+        name = f"{name[:37]}…{end}"
     return f" {name}" if name.startswith("_") else name

@@ -10,7 +10,7 @@ import numpy as np
 
 from procc_annotator.batch.audit import bias, gather
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.formats.cameras.fit_record import FITTED_KEYS, SOME_OTHER_VERSION
+from procc_annotator.formats.cameras.fit_record import FITTED_KEYS
 from procc_annotator.report.page.pairs import ReportedPair
 from procc_annotator.report.page.report_data import AuditReport, ReportedSource
 from procc_annotator.report.scores.inference import inference_entries
@@ -135,8 +135,6 @@ def _rests_on(report: AuditReport) -> str:
     )
     if len(counts) < 2:
         return rests
-    if any(source.fitted for source in report.evaluated):
-        rests += f" Cameras {SOME_OTHER_VERSION} explain them and are no method: never bold."
     return (
         f"{rests} Bold is what is better than every other source beyond chance, on the frames both"
         " have; completeness and final score over all frames."
