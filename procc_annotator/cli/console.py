@@ -27,15 +27,15 @@ def terminal_table(sheet: MetricTable) -> Table:
     heading = Text(sheet.title, "bold")
     if sheet.described:
         heading = Text.assemble((sheet.title, "bold"), "  ", (f"({sheet.described})", "dim"))
+    content = display_table(sheet)
     table = Table(
         title=heading,
         title_justify="left",
         title_style="",
         header_style="bold",
-        caption="\n".join(sheet.notes) or None,
+        caption="\n".join(content.notes) or None,
         caption_justify="left",
     )
-    content = display_table(sheet)
     for column in content.columns:
         named = f"{column.group}\n{column.heading}" if column.group else column.heading
         table.add_column(named, justify="right" if column.numeric else "left")

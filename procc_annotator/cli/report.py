@@ -5,7 +5,7 @@ from __future__ import annotations
 import datetime
 from collections.abc import Sequence
 from contextlib import ExitStack
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Annotated
 
@@ -176,7 +176,7 @@ class ReportOptions:
     seed: Seed = 1
     disagreement: Disagreement = None
     reference: Reference = None
-    picture_width: PictureWidth = 960
+    picture_width: PictureWidth = 640
     manifest: ManifestFile = None
     steady: inference_options.OverTime = False
     shots: inference_options.Shots = None
@@ -227,6 +227,10 @@ def report(context: typer.Context, given: ReportOptions) -> None:
             for called, one in cameras.items()
         ]
         steady = over_time.run(requests, thresholds[0], executor) if over_time else []
+        measured = {one.source for one in steady}
+        if over_time and (without := [name for name in cameras if name not in measured]):
+            why = "no metrics over time, the frames do not follow each other"
+            request = replace(request, notes=(f"{', '.join(without)}: {why}.",))
         judged = [NamedCameras(*one) for one in cameras.items()]
         gathered = gather_report(name, source, judged, setup, thresholds, work, settings)
         sets = [CameraSet(one, called, camera_size) for called, one in cameras.items()]

@@ -415,7 +415,7 @@ def closer_method_table(
     found = closer_source(pair[0], pair[1], clusters, draws)
     columns = (
         Column("figure", "figure"),
-        Column("difference", f"{names[1]} less {names[2]}", "number"),
+        Column("difference", f"{names[1]} − {names[2]}", "number"),
         *_ENDS,
         count_column("frames", "frames of all"),
         metric_column(P_VALUE),

@@ -38,13 +38,16 @@ def described(cli, annotations, **cameras):
     named = [a for name, path in cameras.items() for a in ("--cameras", f"{name}={path}")]
     cli("evaluate", annotations, *named, "-o", annotations.parent / "s.json", "--intervals")
     content = json.loads((annotations.parent / "s.json").read_text())
-    ranks = {row["source"].partition(" (") for row in content["chance"][0]["ranks"]["rows"]}
+    rows = content["chance"][0]["intervals"]["rows"]
     tested = {
         (row["a"], row["b"])
         for row in content["chance"][0].get("differences", {"rows": []})["rows"]
         if row["p"] is not None
     }
-    return {name: mark.rstrip(")") for name, _, mark in ranks}, tested
+    return {
+        row["source"].rstrip("†‡§"): row["source"][-1:].strip("abcdefghijklmnopqrstuvwxyzHPR+")
+        for row in rows
+    }, tested
 
 
 def test_fits_without_marks_are_found_and_published_methods_are_not(cli, wc14, fits, tmp_path):
@@ -62,10 +65,8 @@ def test_fits_without_marks_are_found_and_published_methods_are_not(cli, wc14, f
         H=tmp_path / "H", pnl=wc14 / "cameras_pnlcalib", nbjw=wc14 / "cameras_nbjw",
         carwc=wc14 / "homographies_carwc",
     )  # fmt: skip
-    close = "closer to these clicks than a prediction can be"
-    assert marks == dict.fromkeys(("P", "R", "Rp", "H"), close) | dict.fromkeys(
-        ("pnl", "nbjw", "carwc"), ""
-    )
+    methods = dict.fromkeys(("pnl", "nbjw", "carwc"), "")
+    assert marks == dict.fromkeys(("P", "R", "Rp", "H"), "§") | methods
     assert tested == {("pnl", "nbjw"), ("pnl", "carwc"), ("nbjw", "carwc")}
 
 
@@ -76,14 +77,14 @@ def test_marks_survive_conversion_copying_and_changed_clicks(cli, wc14, fits, tm
         assert not list((tmp_path / to).glob("*.fit"))
         found[to.replace("-", "_")] = tmp_path / to
     marks, _ = described(cli, wc14 / "annotations", H=fits / "H", **found)
-    assert set(marks.values()) == {"fitted on these clicks"}
+    assert set(marks.values()) == {"†"}
     shutil.copytree(wc14 / "annotations", moved := tmp_path / "moved" / "annotations")
     for path in moved.iterdir():
         content = json.loads(path.read_text())
         next(iter(content.values()))[0]["x"] += 0.001 / 959
         path.write_text(json.dumps(content))
     marks, tested = described(cli, moved, R=fits / "R", pnl=wc14 / "cameras_pnlcalib")
-    assert marks == {"R": "fitted to another version of these annotations", "pnl": ""}
+    assert marks == {"R": "‡", "pnl": ""}
     assert not tested
 
 

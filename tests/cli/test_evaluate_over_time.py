@@ -76,8 +76,9 @@ def test_fits_are_marked_wherever_they_are_told(cli, shot):
     written = [f"--over-time-output={path}" for path in (figures, frames)]
     done = cli("evaluate", shot / "annotations", *sources, "--over-time", *written)
     tables = done.stdout[done.stdout.index("Over time") :]
-    assert tables.count("(fitted") == tables.count("Over time")
-    assert "true (fitted" not in tables
+    assert tables.count("ours†") == tables.count("Over time")
+    assert tables.count("† fitted on these clicks: not ranked") == tables.count("Over time")
+    assert "true†" not in tables
     true, ours = json.loads(figures.read_text())["over_time"]["rows"]
     assert (true["source"], true["fitted_on_these_clicks"]) == ("true", 0)
     assert (ours["source"], ours["fitted_on_these_clicks"]) == ("ours", FRAMES // 3 - 1)
@@ -94,7 +95,7 @@ def test_fits_are_marked_wherever_they_are_told(cli, shot):
     assert "Jitter of every frame" in text
     tables = (t.split("</table>")[0] for t in text.split("<table"))
     (breaks,) = (table for table in tables if "Jumps and outages</" in table)
-    assert breaks.count("ours (fitted") == breaks.count("ours") > 0
+    assert breaks.count("ours†") == breaks.count("ours") > 0
 
 
 def test_cameras_of_the_ground_alone_leave_out_the_same_everywhere(cli, shot, sample_data):

@@ -170,7 +170,8 @@ def test_evaluate_marks_them_in_every_output(cli, dataset, exact_fits, tmp_path)
         "--intervals", *FEW,
     )  # fmt: skip
     assert MARK in plain(done.stdout)
-    assert f"ours ({MARK})" in plain(done.stdout)
+    assert "ours†" in plain(done.stdout)
+    assert f"† {MARK}: not ranked" in plain(done.stdout)
     theirs, ours = json.loads(out.read_text())["evaluations"]
     assert all(image["fitted_on_these_clicks"] for image in ours["images"])
     assert not any("fitted_on_these_clicks" in image for image in theirs["images"])
@@ -194,8 +195,9 @@ def test_a_point_moved_since_makes_a_fit_no_method(cli, dataset, exact_fits, tmp
     out = [part for name in ("s.json", "s.csv") for part in ("-o", tmp_path / name)]
     both = ("--cameras", f"theirs={dataset.cameras}", "--cameras", f"ours={exact_fits}")
     done = cli("evaluate", dataset.annotations, *both, *out, "--intervals", *FEW)
-    assert f"ours ({OTHER})" in plain(done.stdout)
-    assert f"({MARK})" not in plain(done.stdout)
+    assert "ours‡" in plain(done.stdout)
+    assert f"‡ {OTHER}" in plain(done.stdout)
+    assert "†" not in plain(done.stdout)
     theirs, ours = json.loads((tmp_path / "s.json").read_text())["evaluations"]
     assert all(image["fitted_on_another_version"] for image in ours["images"])
     assert not any("fitted_on" in key for image in theirs["images"] for key in image)
@@ -205,7 +207,9 @@ def test_a_point_moved_since_makes_a_fit_no_method(cli, dataset, exact_fits, tmp
     assert told == {("theirs", "false"), ("ours", "true")}
     files = [part for name in ("r.html", "r.csv") for part in ("-o", tmp_path / name)]
     cli("report", dataset.root, *both, *files, "--worst", 0, *FEW)
-    assert f"ours ({OTHER})" in (tmp_path / "r.html").read_text()
+    page = (tmp_path / "r.html").read_text()
+    assert "ours‡" in page
+    assert f"‡ {OTHER}" in page
     ranks = {row["source"]: row["rank"] for row in rows_in(tmp_path / "r.csv") if not row["class"]}
     assert ranks == {"theirs": "1", "ours": ""}
 
@@ -248,10 +252,13 @@ def test_the_report_marks_them_and_ranks_methods_only(cli, dataset, exact_fits, 
         "--worst", 0, "--random", 0, "--disagreement", "theirs,ours", "--reference", "ours", *FEW,
     )  # fmt: skip
     page = out.read_text()
-    assert page.count(f"ours ({MARK})") > 5  # tables and charts
-    assert f"theirs, ours ({MARK})" in page
-    assert f"Metrics of earlier papers against ours ({MARK})" in page
-    assert f"ours ({MARK})" in plain((tmp_path / "r.tex").read_text())
+    assert page.count("ours†") > 5  # tables and charts
+    assert f"† {MARK}: not ranked" in page
+    assert "theirs, ours†" in page
+    assert "Metrics of earlier papers against ours†" in page
+    tables = plain((tmp_path / "r.tex").read_text())
+    assert r"ours\textdagger{}" in tables
+    assert rf"\textdagger{{}} {MARK}" in tables
     ranks = {row["source"]: row["rank"] for row in rows_in(tmp_path / "r.csv") if not row["class"]}
     assert ranks == {"theirs": "1", "ours": ""}
     fitted = {row["source"]: row["fitted_on_these_clicks"] for row in rows_in(tmp_path / "r.csv")}
@@ -265,7 +272,8 @@ def test_compare_marks_them_where_it_knows_the_dataset(cli, dataset, exact_fits,
     done = cli(
         "compare", f"theirs={dataset.cameras}", f"ours={exact_fits}", dataset.root, "-o", out
     )
-    assert f"ours ({MARK})" in plain(done.stdout)
+    assert "ours†" in plain(done.stdout)
+    assert f"† {MARK}: not ranked" in plain(done.stdout)
     said = json.loads(out.read_text())
     assert (said["b"]["fitted_on_these_clicks"], "fitted_on_these_clicks" in said["a"]) == (
         True,
@@ -279,9 +287,9 @@ def test_compare_marks_them_in_the_intervals_of_both(cli, dataset, exact_fits, t
     cli("compare", *pair, "--versus", f"again={exact_fits}", "-o", out)
     titles = {key: sheet["title"] for key, sheet in json.loads(out.read_text())["chance"].items()}
     assert titles == {
-        "intervals": f"ours ({MARK}) against theirs, intervals",
-        "intervals_versus": f"again ({MARK}) against theirs, intervals",
-        "nearer": f"Is ours ({MARK}) or again ({MARK}) nearer to theirs",
+        "intervals": "ours† against theirs, intervals",
+        "intervals_versus": "again† against theirs, intervals",
+        "nearer": "Is ours† or again† nearer to theirs",
     }
 
 

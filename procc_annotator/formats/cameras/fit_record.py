@@ -31,7 +31,8 @@ FITTED = word("fitted on these clicks")
 OTHER_VERSION = word("fitted to another version of these annotations")
 SOME_OTHER_VERSION = word("fitted on these clicks, or to another version of these annotations")
 TOO_CLOSE = word("closer to these clicks than a prediction can be")
-MARKS = (FITTED, OTHER_VERSION, SOME_OTHER_VERSION, TOO_CLOSE)
+# Behind a method's name in tables and charts, each explained below a table that has it.
+MARKS = {"†": FITTED, "‡": OTHER_VERSION, "§": TOO_CLOSE}
 FRAME_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version", "independence_p")
 FITTED_KEYS = ("fitted_on_these_clicks", "fitted_on_another_version", "too_close_to_clicks")
 FIT_KEY = "fit"  # of a camera file: what it was fitted from
@@ -97,9 +98,14 @@ class FitCounts:
         return self.tested if are_dependent(self.tested, self.evidence) else 0
 
     @property
+    def marked(self) -> int:
+        """Cameras with a mark."""
+        return self.these + self.another
+
+    @property
     def count(self) -> int:
         """Of all kinds together."""
-        return self.these + self.another + self.too_close
+        return self.marked + self.too_close
 
     @property
     def mark(self) -> str:
@@ -145,8 +151,8 @@ def _evidence(measurement: Measurement) -> float | None:
 
 
 def name_with_mark(name: str, fitted: FitCounts) -> str:
-    """The name of a source as it stands next to others, with the mark if it was fitted so."""
-    return f"{name} ({fitted.mark})" if fitted else name
+    """The name of a method as it stands next to others, with the signs of `MARKS`."""
+    return name + "".join(sign for sign, count in zip(MARKS, fitted.values, strict=True) if count)
 
 
 def sidecar_content(digest: str) -> bytes:

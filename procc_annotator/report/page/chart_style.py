@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.audit import Points, gather
 from procc_annotator.field.model import hex_colour, linear_rgb
 from procc_annotator.formats.cameras.fit_record import MARKS
 from procc_annotator.report.page.report_data import AuditReport, ReportedSource
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
-WIDTH_IN = 7.1  # what an A4 page has between its margins
+WIDTH_IN = 3.6  # of a panel: two next to each other on A4, one on a phone
 
 # Stand-ins that become the page's own colours, light or dark.
 INK, FAINT = "#010203", "#040506"
@@ -30,11 +30,11 @@ _PAGE_COLOURS = {INK: "currentColor", FAINT: "var(--faint, #888888)"}
 _SETTINGS: dict[str, Any] = {
     "svg.fonttype": "none",
     "svg.hashsalt": "procc-annotator",
-    "font.size": 8.0,
+    "font.size": 7.5,
     "axes.edgecolor": FAINT,
     "axes.labelcolor": INK,
     "axes.titlecolor": INK,
-    "axes.titlesize": 8.5,
+    "axes.titlesize": 8.0,
     "axes.titlelocation": "left",
     "axes.spines.top": False,
     "axes.spines.right": False,
@@ -63,31 +63,46 @@ class Chart:
     """A drawn chart.
 
     Attributes:
-        svg: an ``<svg>`` element.
+        svgs: an ``<svg>`` element for each panel.
         title: short. text: what to see in it, and how it was made.
+        part: of the page: curves, errors or frames.
     """
 
-    svg: str
+    svgs: tuple[str, ...]
     title: str
     text: str
+    part: str = ""
 
 
-def draw_chart(
-    number: int, title: str, text: str, height_in: float, draw: Callable[[Figure], None]
-) -> Chart:
+@dataclass(frozen=True)
+class Panel:
+    """A panel of a chart: a picture of its own, so that a narrow page stacks them.
+
+    Attributes:
+        draw: draws on the axes.
+        title: above them; empty for none. height_in, left_in: of the panel and its left margin.
+        polar: whether the axes are polar.
+    """
+
+    draw: Callable[[Any], None]
+    title: str = ""
+    height_in: float = 2.3
+    polar: bool = False
+    left_in: float = 0.55
+
+
+def draw_chart(number: int, title: str, text: str, panels: Sequence[Panel]) -> Chart:
     """Draw a chart.
 
     Args:
         number: distinguishes the ids of the page's charts.
         title, text: see `Chart`; the title is also what a screen reader says.
-        height_in: inches; the width is that of the page.
-        draw: puts axes on an empty figure.
+        panels: at least one.
     """
     import warnings
 
     import matplotlib
     from matplotlib.backends.backend_svg import FigureCanvasSVG
-    from matplotlib.figure import Figure
 
     # A matplotlibrc of the user must not change the report.
     settings: Any = {
@@ -95,18 +110,37 @@ def draw_chart(
         for key, value in matplotlib.rcParamsDefault.items()
         if not key.startswith("backend")
     }
+    svgs = []
     with warnings.catch_warnings(), matplotlib.rc_context(settings | _SETTINGS):
         # Names in scripts that its own font lacks: the browser has a font for them.
         warnings.filterwarnings("ignore", message="Glyph")
-        figure = Figure(figsize=(WIDTH_IN, height_in), dpi=72)
-        canvas: Any = FigureCanvasSVG(figure)
-        draw(figure)
-        stream = io.StringIO()
-        canvas.print_svg(stream, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
-    return Chart(_inline(stream.getvalue(), number, title), title, text)
+        for place, panel in enumerate(panels):
+            canvas: Any = FigureCanvasSVG(panel_figure(panel))
+            stream = io.StringIO()
+            canvas.print_svg(stream, metadata=dict.fromkeys(("Date", "Creator", "Format", "Type")))
+            called = f"{title}: {panel.title}" if panel.title else title
+            svgs.append(_inline(stream.getvalue(), f"c{number}-{place}", called))
+    return Chart(tuple(svgs), title, text)
 
 
-def _inline(svg: str, number: int, title: str) -> str:
+def panel_figure(panel: Panel) -> Figure:
+    """A figure with the axes of a panel; constrained layout would take seconds."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(WIDTH_IN, panel.height_in), dpi=72)
+    top, bottom = (0.3, 0.42) if not panel.polar else (0.62, 0.25)
+    left, right = panel.left_in, 0.12
+    high = panel.height_in - bottom - (top if panel.title else 0.1)
+    size = (1 - (left + right) / WIDTH_IN, high / panel.height_in)
+    place = (left / WIDTH_IN, bottom / panel.height_in, *size)
+    axes: Any = figure.add_axes(place, projection="polar" if panel.polar else None)
+    if panel.title:
+        axes.set_title(chart_label(panel.title), y=1.0, **({"pad": 18} if panel.polar else {}))
+    panel.draw(axes)
+    return figure
+
+
+def _inline(svg: str, prefix: str, title: str) -> str:
     """Cut a file down to its element and make it one of a page."""
     svg = svg[svg.index("<svg") :].strip()
     head, _, body = svg.partition(">")
@@ -118,12 +152,13 @@ def _inline(svg: str, number: int, title: str) -> str:
     used = set(re.findall(r'(?:xlink:href="#|url\(#)([^")]+)', body))
 
     def own_id(match: re.Match[str]) -> str:
-        return f' id="c{number}-{match[1]}"' if match[1] in used else ""
+        return f' id="{prefix}-{match[1]}"' if match[1] in used else ""
 
     body = re.sub(r' id="([^"]*)"', own_id, body)
-    body = body.replace('xlink:href="#', f'href="#c{number}-').replace("url(#", f"url(#c{number}-")
+    body = body.replace('xlink:href="#', f'href="#{prefix}-').replace("url(#", f"url(#{prefix}-")
     body = re.sub(r"font: (?:[a-z]+ )?([0-9.]+px) [^;\"]*", r"font-size: \1", body)
     body = re.sub(r"\n\s*", "\n", body)
+    body = re.sub(r'"[^"<>]*"', lambda m: re.sub(r"(\.\d\d)\d+", r"\1", m[0]), body)  # 0.01 pt
     for stand_in, colour in _PAGE_COLOURS.items():
         body = body.replace(stand_in, colour)
     start = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{found[1]}" role="img"'
@@ -134,6 +169,7 @@ def _inline(svg: str, number: int, title: str) -> str:
 _LIGHTEST, _DARKEST = 0.29, 0.14
 _LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 _DASHES = ("-", (0, (5, 2)), (0, (1, 1.3)), (0, (6, 2, 1, 2)), (0, (3, 1)), (0, (8, 3)))
+_FEW = 50  # values, all of which are shown
 _MARKERS = ("o", "s", "^", "D", "v", "P")
 
 
@@ -188,34 +224,25 @@ def readable_on_both_themes(colour: str) -> str:
     return hex_colour(linear)
 
 
-def panels(
-    figure: Figure, rows: int, columns: int = 1, *, between_in: float = 0.26, top_in: float = 0.28
-) -> list[Axes]:
-    """Add axes row by row; constrained layout of as many takes seconds."""
-    width, height = figure.get_size_inches()
-    left_in, right_in, bottom_in, beside_in = 0.6, 0.18, 0.45, 0.14
-    high_in = (height - top_in - bottom_in + between_in) / rows - between_in
-    wide_in = (width - left_in - right_in + beside_in) / columns - beside_in
-    margins = {
-        "left": left_in / width, "right": 1 - right_in / width,
-        "bottom": bottom_in / height, "top": 1 - top_in / height,
-        "hspace": between_in / high_in, "wspace": beside_in / wide_in,
-    }  # fmt: skip
-    found = figure.subplots(rows, columns, squeeze=False, gridspec_kw=margins)
-    return list(found.flat)
-
-
-def legend_above(figure: Figure, charted: Sequence[ChartedMethod]) -> None:
-    """Add one legend for all panels."""
-    from matplotlib.lines import Line2D
-
-    lines = [Line2D([], [], **one.line) for one in charted]
-    figure.legend(handles=lines, loc="upper center", ncols=4, handlelength=4, borderaxespad=0.1)
+def inner_range(values: Sequence[FloatArray]) -> tuple[tuple[float, float] | None, int]:
+    """Limits of an axis that leave out the outer hundredths of each row of many values, and how
+    many values lie beyond; None if nothing does."""
+    known = [row[np.isfinite(row)] for row in values]
+    ends = [
+        np.quantile(row, (0.01, 0.99) if len(row) >= _FEW else (0, 1)) for row in known if len(row)
+    ]
+    if not ends:
+        return None, 0
+    low, high = min(end[0] for end in ends), max(end[1] for end in ends)
+    margin = 0.08 * (high - low) or 1.0
+    low, high = float(low - margin), float(high + margin)
+    beyond = sum(int(((row < low) | (row > high)).sum()) for row in known)
+    return ((low, high), beyond) if beyond else (None, 0)
 
 
 def chart_label(name: str) -> str:
     """A name as a label; matplotlib leaves out labels that begin with an underscore."""
     if len(name) > 40:
-        end = next((f" ({mark})" for mark in MARKS if name.endswith(f" ({mark})")), "")
-        name = f"{name.removesuffix(end)[: max(38 - len(end), 12)]}…{end}"
+        end = name[len(name.rstrip("".join(MARKS))) :]
+        name = f"{name[:37]}…{end}"
     return f" {name}" if name.startswith("_") else name

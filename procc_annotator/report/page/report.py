@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cache
 from hashlib import sha256
 from importlib import metadata
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +22,7 @@ from procc_annotator.regular_file import read_head
 from procc_annotator.report.comparison import ComparisonScene
 from procc_annotator.report.overlay_scene import Scene
 from procc_annotator.report.page.charts import draw_charts, jitter_chart
+from procc_annotator.report.page.findings import findings
 from procc_annotator.report.page.overlays import (
     OverlayDrawer,
     OverlayPicture,
@@ -44,6 +46,7 @@ from procc_annotator.report.page.report_tables import (
     report_csv,
     report_json,
     terms,
+    without_intervals,
 )
 from procc_annotator.report.tables.data_files import latex_tables
 from procc_annotator.report.tables.metrics import FN, FP, JAC, TP
@@ -60,6 +63,8 @@ if TYPE_CHECKING:
     from jinja2 import Template
 
 REPORT_SUFFIXES = (".html", ".csv", ".json", ".tex")
+_IN_COMPARISON = ("intervals", "ranks")  # columns of the page's first table
+_COMPARED = ("differences", "held_out_differences")
 _MOST_BREAKS = 100  # on the page; all are in the files
 _MOST_FAILURES = 200
 _MOST_FRAMES = 2000  # of the table of all frames
@@ -78,6 +83,7 @@ class ReportRequest:
         disagreement: pairs of sources; pictures: how many of each.
         reference: the source that the metrics of earlier papers take as true; empty for none.
         manifest: name of the run manifest; empty for none.
+        notes: further findings, such as what could not be measured.
     """
 
     title: str
@@ -89,6 +95,7 @@ class ReportRequest:
     pictures: int = 3
     reference: str = ""
     manifest: str = ""
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -199,7 +206,8 @@ def write_report(
         remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
         remarks += [f"manifest: {request.manifest}"] if request.manifest else []
         fits = fits_table(report)
-        first = [comparison_table(report), *([fits] if fits else []), *report.statistics.sheets]
+        comparison = without_intervals(comparison_table(report))  # these are tables of their own
+        first = [comparison, *([fits] if fits else []), *report.statistics.sheets]
         contents["tex"] = latex_tables([*first, *steady, *tables], remarks).encode(
             "utf-8", "backslashreplace"
         )
@@ -244,23 +252,34 @@ def _html(report: AuditReport, request: ReportRequest, problems: list[str], **sh
         for source in report.sources
         for text, count in condensed(source.notices).items()
     ]
-    found = (
-        comparison_table(report), fits_table(report), frames_table(report), errors_table(report)
-    )  # fmt: skip
-    tables, classes = [table for table in found if table is not None], classes_section(report)
-    explained = [
-        *tables, *report.statistics.sheets, *shown["over_time"], classes, *shown["pair_tables"]
-    ]  # fmt: skip
+    fits, sheets = fits_table(report), report.statistics.sheets
+    tables = {
+        "comparison": [comparison_table(report), *(s for s in sheets if s.name in _COMPARED)],
+        "parts": [s for s in sheets if s.name not in _COMPARED and s.name not in _IN_COMPARISON],
+        "classes": [classes_section(report), errors_table(report)],
+        "frames": [frames_table(report)],
+        "pairs": shown.pop("pair_tables"),
+        "over_time": shown.pop("over_time"),
+    }
+    tables["comparison"][1:1] = [fits] if fits is not None else []
+    told: set[str] = set()
+
+    def untold(notes: Sequence[str]) -> list[str]:
+        """Notes that no table above has."""
+        new = [note for note in notes if note not in told]
+        told.update(new)
+        return new
+
     text = page_template("report.html").render(
         request=request,
         settings=_settings(report, request),
         report=report,
         terms=terms(report),
         tables=tables,
-        chance=report.statistics.sheets,
-        classes=classes,
-        frames=every_frame_table(report) if len(report.frames) <= _MOST_FRAMES else None,
-        definitions=definitions(explained, also=(TP, FP, FN, JAC)),
+        findings=findings(report),
+        untold=untold,
+        every_frame=every_frame_table(report) if len(report.frames) <= _MOST_FRAMES else None,
+        definitions=definitions(chain(*tables.values()), also=(TP, FP, FN, JAC)),
         failures=failures[:_MOST_FAILURES],
         more_failures=max(0, len(failures) - _MOST_FAILURES),
         notices=notices,

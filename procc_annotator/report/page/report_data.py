@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
@@ -45,7 +45,8 @@ class NamedCameras:
 
 @dataclass(frozen=True, slots=True)
 class FrameMetrics:
-    """The figures of one frame at one threshold, as `FrameScore` has them."""
+    """The figures of one frame at one threshold, as `FrameScore` has them; ``tied``: mirrored
+    labels count, and those annotated score as high."""
 
     jac: float
     tp: int
@@ -56,20 +57,13 @@ class FrameMetrics:
     recall: float | None
     mean_reprojection_error: float | None
     mean_error: float | None
+    tied: bool = False
 
     @classmethod
     def of(cls, score: FrameScore) -> FrameMetrics:
-        return cls(
-            score.jac,
-            score.tp,
-            score.fp,
-            score.fn,
-            score.mirrored,
-            score.precision,
-            score.recall,
-            score.mean_reprojection_error,
-            score.mean_error,
-        )
+        tied = score.read is not score.labelling
+        known = {f.name: getattr(score, f.name) for f in fields(cls) if f.name != "tied"}
+        return cls(**known, tied=tied)
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,6 +143,10 @@ class ReportedSource:
         """A frame's figures; None where it has no score."""
         found = self._by_name.get(frame)
         return None if found is None else found.figures.get(threshold)
+
+    def ties(self, threshold: float) -> int:
+        """Frames in which mirrored labels count on a tie."""
+        return sum(bool(f.figures) and f.figures[threshold].tied for f in self.frames)
 
     @cached_property
     def _by_name(self) -> dict[str, ReportedFrame]:
@@ -303,7 +301,7 @@ def reported_frame(
             evaluated.camera,
             evaluated.model,
             evaluated.measurement,
-            thresholds[0],
+            max(thresholds),
             fitted=result.fitted,
         )
     return ReportedFrame(

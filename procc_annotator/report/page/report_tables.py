@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import msgspec
@@ -10,7 +11,7 @@ import numpy as np
 
 from procc_annotator.batch.audit import bias, gather
 from procc_annotator.field.landmarks import element_titles
-from procc_annotator.formats.cameras.fit_record import FITTED_KEYS, SOME_OTHER_VERSION
+from procc_annotator.formats.cameras.fit_record import FITTED_KEYS
 from procc_annotator.report.page.pairs import ReportedPair
 from procc_annotator.report.page.report_data import AuditReport, ReportedSource
 from procc_annotator.report.scores.inference import inference_entries
@@ -46,7 +47,9 @@ from procc_annotator.report.tables.metrics import (
     OF_SET,
     P95_PX,
     PRECISION,
+    RANK,
     RECALL,
+    TIED,
     UNDEFINED,
     UNMATCHED,
     WITH_INTERVAL,
@@ -65,33 +68,51 @@ from procc_annotator.report.tables.table import (
 )
 from procc_annotator.report.temporal import TemporalMetrics, over_time_entries
 
-SOURCE = Column("source", "Source")
+SOURCE = Column("source", "Method")
 
 
 def comparison_table(report: AuditReport) -> MetricTable:
-    """The sources side by side, as the paper compares camera models."""
+    """The methods side by side, with intervals and ranks."""
     shown = _compared_metrics(report)
     several = [metric for metric, _, _ in shown]
-    columns = (
-        SOURCE,
-        Column("model", "Camera model"),
-        *(
-            metric_column(metric, at, key=f"{metric.key}{at}" if several.count(metric) > 1 else "")
-            for metric, _, at in shown
-        ),
-    )
-    rows = tuple(
-        (
-            s.marked_name,
-            s.model or None,
-            *(metric.of(s.summaries[tau]) if s.summaries else None for metric, tau, _ in shown),
-        )
-        for s in report.sources
-    )
+    columns = [SOURCE, Column("model", "Camera model")]
+    for metric, _, at in shown:
+        key = f"{metric.key}{at}" if several.count(metric) > 1 else metric.key
+        columns += [metric_column(metric, at, key=key)]
+        columns += [replace(end, key=f"{key}{end.key[-4:]}") for end in interval_columns(metric)]
+        if metric is MEAN_JAC:
+            columns.append(defined_count_column(RANK, at, key=f"rank{at}"))
+    rows = []
+    places = {source.name: place for place, source in enumerate(report.evaluated)}
+    ranks = {tau: report.certainty.ranks(MEAN_JAC.key, tau) for tau in report.thresholds}
+    for source in report.sources:
+        row: list[Value] = [source.marked_name, source.model or None]
+        for metric, tau, _ in shown:
+            place = places.get(source.name)
+            if place is None:
+                row += [None] * (4 if metric is MEAN_JAC else 3)
+                continue
+            ends = report.certainty.intervals[place][metric.key, tau]
+            row += [metric.of(source.summaries[tau]), *interval_ends(ends)]
+            row += [ranks[tau][place]] if metric is MEAN_JAC else []
+        rows.append(tuple(row))
+    notes = (_rests_on(report), f"In brackets {report.certainty.described}.")
     return MetricTable(
-        "comparison", "Comparison of camera sources", columns, rows, terms(report),
-        (_rests_on(report),), _significantly_best(report, shown),
+        "comparison", "Comparison of methods", tuple(columns), tuple(rows), terms(report), notes,
+        _significantly_best(report, columns, shown),
     )  # fmt: skip
+
+
+def without_intervals(sheet: MetricTable) -> MetricTable:
+    """The comparison without intervals and ranks."""
+    kept = [at for at, c in enumerate(sheet.columns) if not c.joined and c.figure is not RANK]
+    return replace(
+        sheet,
+        columns=tuple(sheet.columns[at] for at in kept),
+        rows=tuple(tuple(row[at] for at in kept) for row in sheet.rows),
+        notes=sheet.notes[:1],
+        bold=frozenset((row, kept.index(at)) for row, at in sheet.bold),
+    )
 
 
 def _compared_metrics(report: AuditReport) -> list[tuple[Metric, float, str]]:
@@ -106,13 +127,16 @@ def _compared_metrics(report: AuditReport) -> list[tuple[Metric, float, str]]:
 
 
 def _significantly_best(
-    report: AuditReport, shown: Sequence[tuple[Metric, float, str]]
+    report: AuditReport,
+    columns: Sequence[Column],
+    shown: Sequence[tuple[Metric, float, str]],
 ) -> frozenset[tuple[int, int]]:
     """Places of the values that are significantly better than those of every other source."""
     rows = [at for at, source in enumerate(report.sources) if source.summaries]
     on_ground = [source.ground_only for source in report.evaluated]
     found = set()
-    for column, (metric, tau, _) in enumerate(shown, 2):
+    values = [at for at, c in enumerate(columns) if c.kind == "number" and not c.joined]
+    for column, (metric, tau, _) in zip(values, shown, strict=True):
         best = report.certainty.best(metric.key, tau)
         # The error of a homography is that of fewer points.
         fewer = metric is MEAN_ERROR and best is not None and on_ground[best]
@@ -130,16 +154,16 @@ def _rests_on(report: AuditReport) -> str:
     else:
         own = ", ".join(f"{name} {count}" for name, count in counts.items())
     rests = (
-        f"JaC is the mean over the frames with a camera ({own} of {first.images}), mean error that"
-        f" over all their points, with the labels that count at {max(report.thresholds):g} px."
+        f"JaC is the mean over the frames with a camera ({own} of {first.images}); the mean error"
+        " is over all their points, with the labels as annotated, or mirrored where these score"
+        f" higher at {max(report.thresholds):g} px, the largest threshold."
     )
     if len(counts) < 2:
         return rests
-    if any(source.fitted for source in report.evaluated):
-        rests += f" Cameras {SOME_OTHER_VERSION} explain them and are no method: never bold."
     return (
-        f"{rests} Bold is what is better than every other source beyond chance, on the frames both"
-        " have; completeness and final score over all frames."
+        f"{rests} Bold: significantly better than every other method (95 % interval of the"
+        " difference excludes 0, Holm-corrected p < 0.05), on the frames both have; completeness"
+        " and final score over all frames."
     )
 
 
@@ -156,18 +180,20 @@ def frames_table(report: AuditReport) -> MetricTable:
         Column("folder", "Folder"),
         *map(defined_count_column, (IMAGES, EVALUATED, WITHOUT)),
         defined_count_column(MIRRORED, f"@{report.tau:g}"),
+        defined_count_column(TIED, f"@{report.tau:g}"),
         defined_count_column(UNMATCHED),
     )
     rows = []
     for source in report.sources:
-        counts: tuple[int | None, ...] = (None,) * 4
+        counts: tuple[int | None, ...] = (None,) * 5
         if source.summaries:
             figures = source.summaries[report.tau]
             mirrored = sum(
                 frame.figures[report.tau].mirrored for frame in source.frames if frame.figures
             )
             missing = figures.images - figures.evaluated
-            counts = (figures.images, figures.evaluated, missing, mirrored)
+            ties = source.ties(report.tau)
+            counts = (figures.images, figures.evaluated, missing, mirrored, ties)
         rows.append((source.marked_name, source.folder, *counts, len(source.unmatched)))
     return MetricTable("frames", "Frames behind the figures", columns, tuple(rows))
 
@@ -191,7 +217,7 @@ def classes_section(report: AuditReport) -> MetricTable:
     found = {name for per_class in figures for name in per_class}
     rows = []
     for name in [n for n in known if n in found] + sorted(found - set(known)):
-        row: list[str | float | None] = [titles.get(name, name.strip())]
+        row: list[str | float | None] = [name.strip()]
         index = known.index(name) if name in known else -1
         for per_class, median in zip(figures, medians, strict=True):
             found_here = per_class.get(name)
@@ -246,17 +272,16 @@ def every_frame_table(report: AuditReport) -> MetricTable:
 
 def terms(report: AuditReport) -> str:
     """Protocol, size and options behind the figures; by source where they differ."""
-    sources = report.evaluated
-    said = dict.fromkeys(source.described for source in sources)
-    if len(said) < 2:
-        return next(iter(said), report.setup.describe())
     common = report.setup.describe()
-    special = [
-        f"{s.name}: {s.described.removeprefix(common).lstrip(', ')}"
-        for s in sources
-        if s.described != common
-    ]
-    return "; ".join([common, *special])
+    special: dict[str, list[str]] = {}
+    for source in report.evaluated:
+        own = report.setup.describe(source.ground_only).removeprefix(common).lstrip(", ")
+        special.setdefault(own, []).append(source.name)
+    if len(special) == 1:
+        return ", ".join([common, *filter(None, special)])
+    return "; ".join(
+        [common, *(f"{', '.join(names)}: {own}" for own, names in special.items() if own)]
+    )
 
 
 _COLUMNS = (

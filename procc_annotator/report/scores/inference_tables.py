@@ -179,7 +179,8 @@ def held_out_pairs_table(certainty: Inference, described: str) -> MetricTable:
     bold = {(at, 6) for at, row in enumerate(rows) if row[3] == SIGNIFICANT}
     notes = (
         "Every element is judged by the camera of the frame's other elements, on the elements that"
-        f" both fits determine so. In brackets {certainty.described}.",
+        " both fits determine so.",
+        f"In brackets {certainty.described}.",
         *certainty.cautions,
     )
     return MetricTable(
@@ -327,8 +328,9 @@ def strata_table(
             row += [found.value, *interval_ends(found.interval), found.corrected]
         rows.append(tuple(row))
     notes = (
-        f"In brackets {certainty.described}. The part where two sources differ most comes first; p"
-        " is corrected for all parts and pairs. Bold: significant.",
+        f"In brackets {certainty.described}.",
+        "The part where two methods differ most comes first; p is corrected for all parts and"
+        " pairs. Bold: significant.",
         *([_BY_FIT] if by in POSED else []),
         *_cautions(parts),
     )
@@ -410,7 +412,7 @@ def _columns(certainty: Inference, by: str, tau: float) -> tuple[Column, ...]:
     for name in names:
         columns += _with_interval(MEAN_JAC, f"JaC@{tau:g} %", name)
     for pair in certainty.pairs:
-        less = f"{names[pair.a]} less {names[pair.b]}"
+        less = f"{names[pair.a]} − {names[pair.b]}"
         columns += _with_interval(JAC_DIFFERENCE, "points", less)
         columns.append(metric_column(P_CORRECTED, key=f"{P_CORRECTED.key} {less}", group=less))
     return tuple(columns)
@@ -468,7 +470,7 @@ def _pairs_table(certainty: Inference, note: str, described: str) -> MetricTable
         TAU,
         Column("a", "A"),
         Column("b", "B"),
-        metric_column(JAC_DIFFERENCE, heading="A less B, points"),
+        metric_column(JAC_DIFFERENCE, heading="A − B, points"),
         metric_column(JAC_DIFFERENCE, key="moved_difference", heading="points moved"),
         metric_column(CLICK_DEVIATION),
         metric_column(CLICK_SHARE),

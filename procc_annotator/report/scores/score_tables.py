@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from typing import Any, Protocol
 
 from procc_annotator.batch.scoring import LeftOutMetrics
-from procc_annotator.formats.cameras.fit_record import LEFT_OUT_FILE, SOME_OTHER_VERSION, FitCounts
+from procc_annotator.formats.cameras.fit_record import LEFT_OUT_FILE, FitCounts
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.measurement import Labelling
 from procc_annotator.metrics.score import FrameScore
@@ -264,7 +264,7 @@ def left_out_table(
     Args:
         sources: with their names. thresholds: px. setup: of them all.
     """
-    fits = [(name, source) for name, source in sources if source.fitted]
+    fits = [(name, source) for name, source in sources if source.fitted.marked]
     if not fits:
         return None
     columns = [
@@ -285,8 +285,8 @@ def left_out_table(
             row += figures.shares(tau) or (None, None)
         rows.append(tuple(row))
     notes = [
-        f"A camera {SOME_OTHER_VERSION} explains them. Held out, every element is judged by the"
-        " camera of the frame's other elements; in sample, the same elements by the camera of all."
+        "Held out, every element is judged by the camera of the frame's other elements; in sample,"
+        " the same elements by the camera of all."
     ]
     notes += [f"{name}: {why}" for name, source in fits if (why := _why_none(source))]
     all_on_ground = all(source.ground_only for _, source in fits)
@@ -298,7 +298,7 @@ def left_out_table(
 
 def left_out_entry(source: MethodWithLeftOut, thresholds: Sequence[float]) -> dict[str, Any]:
     """As files of figures hold it; nothing of a source that is no fit."""
-    if not source.fitted:
+    if not source.fitted.marked:
         return {}
     figures = source.held_out
     shares = {shortest_number(tau): figures.shares(tau) for tau in thresholds}
@@ -318,10 +318,10 @@ def left_out_entry(source: MethodWithLeftOut, thresholds: Sequence[float]) -> di
 def _why_none(source: MethodWithLeftOut) -> str:
     """Reason for which some cameras have no such figures; empty where all have."""
     figures = source.held_out
-    if figures.frames >= source.fitted.count:
+    if figures.frames >= source.fitted.marked:
         return ""
-    cameras = pluralize(source.fitted.count, "camera")
-    without = source.fitted.count - figures.frames
+    cameras = pluralize(source.fitted.marked, "camera")
+    without = source.fitted.marked - figures.frames
     which = (
         f"{without} of its {cameras} have no such figures"
         if figures.frames

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+import textwrap
+from collections.abc import Callable, Iterable, Sequence
+from itertools import groupby
 from typing import Any
 
 import msgspec
@@ -14,6 +16,7 @@ from procc_annotator.report.tables.table import (
     Cell,
     Column,
     DisplayColumn,
+    DisplayTable,
     Metric,
     MetricTable,
     Row,
@@ -21,6 +24,7 @@ from procc_annotator.report.tables.table import (
     display_table,
     records,
     shortest_number,
+    spans,
 )
 
 CRLF = "\r\n"  # what RFC 4180 asks for
@@ -139,7 +143,14 @@ def _as_plain(value: object) -> str:
     raise NotImplementedError(f"{type(value).__name__} cannot be written as JSON")
 
 
-_MOST_COLUMNS = 8  # of figures in one column of a page: more would be shrunk below half their size
+# The column and the text of usual two-column styles, pt; what is wider than the text is split.
+_COLUMN_PT, _TEXT_PT = 229.0, 505.0
+_MOST_ROWS = 40  # of a page
+_GAP_PT = 6.0
+_WRAPPED_PT = 120.0  # of a column of sentences
+_CHARACTER_PT = 4.4  # of \footnotesize: a digit has 4.25
+_THIN_PT, _BROAD_PT = 2.6, 6.6
+_THIN, _BROAD = frozenset(" .,:;!|'()[]ijlt-"), frozenset("ABCDEFGHKMNOPQRUVWXYZmw+±×%@−<>&")
 
 _SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -157,15 +168,23 @@ _SPECIAL = {
     "|": r"\textbar{}",
     '"': "''",
     "–": "--",
+    "\ufeff": "{}",
+    "−": "$-$",
     "²": r"\textsuperscript{2}",
     "°": r"\textdegree{}",
+    "†": r"\textdagger{}",
+    "‡": r"\textdaggerdbl{}",
+    "§": r"\S{}",
 }
+_BETTER = {"higher": "(↑)", "lower": "(↓)"}
 _ARROWS = {"higher": r"($\uparrow$)", "lower": r"($\downarrow$)"}
+_HEADING = 12  # characters
 
 
 def escape_latex(text: str) -> str:
     """Text that LaTeX shows as it is; line breaks and control characters become spaces."""
     plain = re.sub(r"[\x00-\x1f\x7f]+", " ", text)
+    plain = plain.replace("--", "-\ufeff-")  # two hyphens of an option are no dash
     # < and > come out as other characters in LaTeX's old encoding, which has no straight quotes.
     return "".join(_SPECIAL.get(character, character) for character in plain)
 
@@ -180,25 +199,95 @@ def latex_tables(sheets: Iterable[MetricTable], remarks: Iterable[str] = ()) -> 
 def latex_table(sheet: MetricTable) -> str:
     """One table; best values are bold, dashes stand for what is undefined.
 
-    One of many columns spans both columns of a page that has two.
+    Widths are estimated from the characters: what fits into a column is a ``table``, what fits into
+    the text a ``table*``; a wider or longer one is split into several, each with the columns that
+    name its rows.
     """
     content = display_table(sheet)
-    kind = "table*" if len(content.columns) > _MOST_COLUMNS else "table"
-    layout = "".join("r" if column.numeric else "l" for column in content.columns)
+    columns = _split_columns(content)
+    rows = [*range(0, len(content.rows), _MOST_ROWS)] or [0]
+    pieces = [(some, first) for first in rows for some in columns]
+    return "\n\n".join(
+        _latex_piece(content, *piece, f" (part {at} of {len(pieces)})" if pieces[1:] else "")
+        for at, piece in enumerate(pieces, 1)
+    )
+
+
+def _latex_piece(content: DisplayTable, chosen: Sequence[int], first: int, part: str) -> str:
+    columns = [content.columns[at] for at in chosen]
+    kind = "table" if _width_pt(content, chosen) <= _COLUMN_PT else "table*"
+    wrapped = f"p{{{_WRAPPED_PT:g}pt}}"
+    layout = "".join(
+        "r" if content.columns[at].numeric else wrapped if _wraps(content, at) else "l"
+        for at in chosen
+    )
     lines = [
-        rf"\begin{{{kind}}}", r"\centering", r"\begin{adjustbox}{max width=\linewidth}",
-        rf"\begin{{tabular}}{{{layout}}}", r"\toprule",
+        rf"\begin{{{kind}}}", r"\centering\footnotesize\setlength{\tabcolsep}{3pt}",
+        r"\begin{adjustbox}{max width=\linewidth}", rf"\begin{{tabular}}{{{layout}}}", r"\toprule",
     ]  # fmt: skip
-    if content.groups:
-        lines.append(" & ".join(map(_span, content.groups)) + r" \\")
-    lines += [" & ".join(map(_heading, content.columns)) + r" \\", r"\midrule"]
-    for at, row in enumerate(content.rows):
-        if at and at in content.parts:
+    if groups := spans(columns):
+        lines.append(" & ".join(map(_span, groups)) + r" \\")
+    headings = (_heading(content.columns[at], _lines(content, at)) for at in chosen)
+    lines += [" & ".join(headings) + r" \\", r"\midrule"]
+    for at, row in enumerate(content.rows[first : first + _MOST_ROWS], first):
+        if at > first and at in content.parts:
             lines.append(r"\midrule")
-        lines.append(" & ".join(map(_cell, row)) + r" \\")
-    caption = " ".join([f"{escape_latex(content.caption)}.", *map(escape_latex, content.notes)])
+        lines.append(" & ".join(_cell(row[place]) for place in chosen) + r" \\")
+    titled = f"{escape_latex(content.caption + part)}."
+    caption = " ".join([titled, *map(escape_latex, content.notes)])
     lines += [r"\bottomrule", r"\end{tabular}", r"\end{adjustbox}", rf"\caption{{{caption}}}"]
     return "\n".join([*lines, rf"\end{{{kind}}}"])
+
+
+def _split_columns(content: DisplayTable) -> list[list[int]]:
+    """Places of the columns of each piece: those that name rows, and as many others as fit; columns
+    of a group stay together."""
+    columns = content.columns
+    named = next((at for at, c in enumerate(columns) if c.definition or c.better), len(columns))
+    found = [[*range(named)]]
+    for _, run in groupby(range(named, len(columns)), lambda at: columns[at].group or at):
+        own = [*run]
+        if _width_pt(content, found[-1] + own) > _TEXT_PT and found[-1][named:]:
+            found.append([*range(named)])
+        found[-1] += own
+    return found
+
+
+def _width_pt(content: DisplayTable, chosen: Sequence[int]) -> float:
+    width = 0.0
+    for group, run in groupby(chosen, lambda at: content.columns[at].group):
+        own = 0.0
+        for at in run:
+            own += _GAP_PT + (_WRAPPED_PT if _wraps(content, at) else _column_pt(content, at))
+        width += max(own, _GAP_PT + _text_pt(group))
+    return width
+
+
+def _column_pt(
+    content: DisplayTable, at: int, parts: Callable[[str], list[str]] | None = None
+) -> float:
+    """The widest cell or heading; with ``parts`` the widest of their words."""
+    texts = [*_lines(content, at), *(row[at].text for row in content.rows)]
+    return max((_text_pt(w) for t in texts for w in (parts(t) if parts else [t])), default=0.0)
+
+
+def _wraps(content: DisplayTable, at: int) -> bool:
+    """Whether a column of text is set in several lines."""
+    words = _column_pt(content, at, str.split)
+    return not content.columns[at].numeric and words <= _WRAPPED_PT < _column_pt(content, at)
+
+
+def _text_pt(text: str) -> float:
+    thin, broad = (sum(map(kind.__contains__, text)) for kind in (_THIN, _BROAD))
+    return thin * _THIN_PT + broad * _BROAD_PT + (len(text) - thin - broad) * _CHARACTER_PT
+
+
+def _lines(content: DisplayTable, at: int) -> list[str]:
+    """The lines of a heading, about as long as the cells below it."""
+    column = content.columns[at]
+    text = f"{column.heading} {_BETTER[column.better]}" if column.better else column.heading
+    longest = max((len(row[at].text) for row in content.rows), default=0)
+    return textwrap.wrap(text, max(longest, _HEADING), break_long_words=False) or [""]
 
 
 def _span(group: tuple[str, int]) -> str:
@@ -208,9 +297,14 @@ def _span(group: tuple[str, int]) -> str:
     return " & " * (columns - 1)
 
 
-def _heading(column: DisplayColumn) -> str:
-    text = escape_latex(column.heading)
-    return f"{text} {_ARROWS[column.better]}" if column.better else text
+def _heading(column: DisplayColumn, lines: Sequence[str]) -> str:
+    texts = [escape_latex(line) for line in lines]
+    if column.better:
+        texts[-1] = texts[-1].replace(_BETTER[column.better], _ARROWS[column.better])
+    if not texts[1:]:
+        return texts[0]
+    side, joined = "r" if column.numeric else "l", r"\\".join(texts)
+    return rf"\shortstack[{side}]{{{joined}}}"
 
 
 def _cell(cell: Cell) -> str:

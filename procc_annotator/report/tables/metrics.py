@@ -289,20 +289,20 @@ STEP_PX = Metric(
 # --- is a difference real: two sources on the frames both have ------------------------------------
 
 JAC_DIFFERENCE = Metric(
-    "jac_difference", "JaC, A less B", "%", signed=True,
-    definition="The mean JaC of A less that of B, on the frames both have a camera for.",
+    "jac_difference", "JaC, A − B", "%", signed=True,
+    definition="The mean JaC of A − that of B, on the frames both have a camera for.",
 )  # fmt: skip
 SCORE_DIFFERENCE = Metric(
-    "final_score_difference", "final score, A less B", "%", signed=True,
-    definition="The final score of A less that of B, over all annotated frames.",
+    "final_score_difference", "final score, A − B", "%", signed=True,
+    definition="The final score of A − that of B, over all annotated frames.",
 )  # fmt: skip
 LEFT_OUT_SCORE = Metric(
     "held_out", "held out", "%", "higher",
     definition="The share of elements that are correct under the camera of the other elements.",
 )  # fmt: skip
 HELD_OUT_DIFFERENCE = Metric(
-    "held_out_difference", "held out, A less B", "%", signed=True,
-    definition="The share of elements that are correct held out under A less that under B, on the"
+    "held_out_difference", "held out, A − B", "%", signed=True,
+    definition="The share of elements that are correct held out under A − that under B, on the"
     " elements that both determine.",
 )  # fmt: skip
 IN_SAMPLE = Metric(
@@ -310,8 +310,8 @@ IN_SAMPLE = Metric(
     definition="The share of the same elements that are correct under the camera of all elements.",
 )  # fmt: skip
 ERROR_DIFFERENCE = Metric(
-    "mean_error_difference", "mean error, A less B", "px", signed=True,
-    definition="The mean reprojection error of A less that of B, on the frames both have.",
+    "mean_error_difference", "mean error, A − B", "px", signed=True,
+    definition="The mean reprojection error of A − that of B, on the frames both have.",
 )  # fmt: skip
 # Differences of sources, each with the metric of `SetSummary` that it is the difference of.
 DIFFERENCES = (
@@ -371,6 +371,11 @@ WITHOUT = _count("without", "Without", "Annotated frames without a usable camera
 MIRRORED = _count(
     "mirrored", "Labels mirrored",
     "Frames whose score is that of the mirrored labels.",
+)  # fmt: skip
+TIED = _count(
+    "tied", "of these tied",
+    "Frames in which the labels as annotated score as high; the official evaluation counts the"
+    " mirrored ones.",
 )  # fmt: skip
 UNMATCHED = _count(
     "unmatched_cameras", "Cameras without annotation", "Cameras of frames that nobody annotated."

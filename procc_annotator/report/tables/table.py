@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import groupby
 from typing import Literal
 
 from procc_annotator.errors import printable
+from procc_annotator.formats.cameras.fit_record import MARKS
 
 DASH = "–"  # for what is undefined
 
@@ -243,14 +245,14 @@ class DisplayTable:
 
     @property
     def groups(self) -> tuple[tuple[str, int], ...]:
-        """Groups of columns with their widths; empty where no column has one."""
-        spans: list[tuple[str, int]] = []
-        for column in self.columns:
-            if spans and spans[-1][0] == column.group:
-                spans[-1] = column.group, spans[-1][1] + 1
-            else:
-                spans.append((column.group, 1))
-        return tuple(spans) if any(name for name, _ in spans) else ()
+        """See `spans`."""
+        return spans(self.columns)
+
+
+def spans(columns: Iterable[DisplayColumn]) -> tuple[tuple[str, int], ...]:
+    """Groups of columns with their widths; empty where no column has one."""
+    found = tuple((name, len([*own])) for name, own in groupby(columns, lambda c: c.group))
+    return found if any(name for name, _ in found) else ()
 
 
 def display_table(sheet: MetricTable) -> DisplayTable:
@@ -264,7 +266,11 @@ def display_table(sheet: MetricTable) -> DisplayTable:
         if not column.joined
     )  # fmt: skip
     rows = tuple(_cells(sheet, at) for at in range(len(sheet.rows)))
-    return DisplayTable(sheet.caption, columns, rows, sheet.notes, sheet.parts)
+    texts = [sheet.caption, *(c.heading + c.group for c in columns)]
+    texts += [cell.text for row in rows for cell in row if not cell.text.isascii()]
+    signs = {sign for sign in MARKS if any(sign in text for text in texts)}
+    marks = [f"{s} {why}: not ranked, bold or tested." for s, why in MARKS.items() if s in signs]
+    return DisplayTable(sheet.caption, columns, rows, (*sheet.notes, *marks), sheet.parts)
 
 
 def _cells(sheet: MetricTable, at: int) -> tuple[Cell, ...]:

@@ -1,19 +1,24 @@
 """Charts show the frames' own figures, and stay readable however many frames there are."""
 
-from collections.abc import Callable
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
-from matplotlib.figure import Figure
 
 from procc_annotator.batch.audit import TAU_GRID, FrameAudit, Pose
 from procc_annotator.batch.frame_sums import FrameSums
 from procc_annotator.field.load import load_field
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.page import charts
-from procc_annotator.report.page.chart_style import Chart, charted_sources, draw_chart
+from procc_annotator.report.page.chart_style import (
+    Chart,
+    Panel,
+    charted_sources,
+    draw_chart,
+    panel_figure,
+)
 from procc_annotator.report.page.report_data import (
     AuditReport,
     FrameMetrics,
@@ -26,22 +31,16 @@ TAU = 5.03  # the curves have no such place
 
 
 @pytest.fixture
-def drawn(monkeypatch) -> dict[str, Figure]:
-    """The figures that were drawn, by title, as matplotlib has them."""
-    from matplotlib.figure import Figure  # only where charts are drawn: it is large
+def drawn(monkeypatch) -> dict[str, SimpleNamespace]:
+    """The axes of charts that were drawn, by title, as matplotlib has them."""
+    figures: dict[str, SimpleNamespace] = {}
 
-    figures: dict[str, Figure] = {}
+    def kept(number: int, title: str, text: str, panels: list[Panel]) -> Chart:
+        axes = [panel_figure(panel).axes[0] for panel in panels]
+        figures[title] = SimpleNamespace(axes=axes)
+        return draw_chart(number, title, text, panels)
 
-    def kept(
-        number: int, title: str, text: str, height: float, draw: Callable[[Figure], None]
-    ) -> Chart:
-        chart = draw_chart(number, title, text, height, draw)
-        figures[title] = Figure()
-        draw(figures[title])
-        return chart
-
-    for module in (charts, charts):
-        monkeypatch.setattr(module, "draw_chart", kept)
+    monkeypatch.setattr(charts, "draw_chart", kept)
     return figures
 
 
@@ -98,7 +97,7 @@ def test_the_ordered_curve_has_the_frames_values(drawn):
 def test_the_scatter_has_the_pairs_and_the_curve_their_differences(drawn):
     report = report_of(several(A), several(B))
     charts.frame_charts(report, charted_sources(report, COLOURS))
-    scatter, ordered = drawn["Two sources, frame by frame"].axes
+    scatter, ordered = drawn["Two methods, frame by frame"].axes
     (marks,) = scatter.collections
     shown = np.asarray(marks.get_offsets())
     np.testing.assert_allclose(sorted(map(tuple, shown.tolist())), sorted(BOTH), atol=1e-4)
@@ -112,7 +111,7 @@ def test_the_scatter_has_the_pairs_and_the_curve_their_differences(drawn):
 def test_marks_of_many_frames_do_not_hide_each_other(drawn, copies):
     report = report_of(several(copies * A + [0.9]), several(copies * B + [0.9]))
     charts.frame_charts(report, charted_sources(report, COLOURS))
-    (marks,) = drawn["Two sources, frame by frame"].axes[0].collections
+    (marks,) = drawn["Two methods, frame by frame"].axes[0].collections
     areas = np.asarray(marks.get_sizes())
     assert areas.max() <= 120
     assert areas.min() >= 2

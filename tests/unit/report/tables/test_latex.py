@@ -1,5 +1,6 @@
 """LaTeX tables show names as they are and fit the text."""
 
+import re
 import shutil
 import subprocess
 
@@ -19,6 +20,7 @@ def test_every_special_character_is_escaped():
     )
     assert escape_latex("a\nb\x00c") == "a b c"
     assert escape_latex("–") == "--"
+    assert escape_latex("calibrate --leave-one-out") == "calibrate -{}-leave-one-out"
 
 
 def test_a_table_has_as_many_cells_in_every_line():
@@ -61,8 +63,9 @@ def _wide(columns: int) -> MetricTable:
     )
 
 
-def test_latex_sets_every_table_within_the_text(tmp_path):
-    """LaTeX itself says whether it can set them, and how wide they are."""
+@pytest.mark.parametrize(("width_pt", "shrunk"), [(229, True), (345, True), (505, False)])
+def test_latex_sets_every_table_within_the_text(tmp_path, width_pt, shrunk):
+    """LaTeX itself says whether it can set them; the text of two columns holds them unshrunk."""
     pdflatex, find = shutil.which("pdflatex"), shutil.which("kpsewhich")
     if pdflatex is None or find is None or subprocess.run([find, "adjustbox.sty"]).returncode:
         pytest.skip("pdflatex with adjustbox is not here")
@@ -73,9 +76,14 @@ def test_latex_sets_every_table_within_the_text(tmp_path):
         (('100 % \\input{x} ~^ "quoted" a|b {–} 3² 4°', 1.0),),
     )
     tables = latex_tables([*(_wide(columns) for columns in (2, 5, 9)), strange])
-    assert tables.count(r"\begin{table*}") == 1
+    # All are wider than a column; five and nine figures are more than the text holds.
+    assert tables.count(r"\begin{table*}") == 1 + 2 + 3
+    assert "(part 3 of 3)" in tables
+    if not shrunk:
+        tables = re.sub(r"\\(begin|end)\{adjustbox\}(\{.*\})?", "", tables)
     setup = (
-        "\\documentclass{article}\\usepackage{booktabs, adjustbox}\\setlength{\\textwidth}{229pt}"
+        "\\documentclass{article}\\usepackage{booktabs, adjustbox}"
+        f"\\setlength{{\\textwidth}}{{{width_pt}pt}}"
     )
     document = setup + "\\begin{document}\n" + tables + "\\end{document}\n"
     (tmp_path / "a.tex").write_text(document, encoding="utf-8")
