@@ -14,20 +14,10 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.json_values import JsonValues, degrees
-from procc_annotator.formats.cameras.krt import (
-    HALF_TURN,
-    KRT_KEYS,
-    KrtKeys,
-    centred_k,
-    krt_from,
-)
+from procc_annotator.formats.cameras.krt import HALF_TURN, KRT_KEYS, KrtKeys, centred_k, krt_from
 from procc_annotator.formats.cameras.krt_sets import BY_ORDER, depth_of
-from procc_annotator.formats.cameras.lens_curves import (
-    distortion_of_inverse,
-    fisheye_of_polynomial,
-)
+from procc_annotator.formats.cameras.lens_curves import distortion_of_inverse, fisheye_of_polynomial
 from procc_annotator.formats.cameras.loaded_camera import (
     CameraRecord,
     CameraRecords,
@@ -57,15 +47,12 @@ def synloc_records(content: Any, path: str) -> CameraRecords:
     Raises:
         CameraError: none has one.
     """
-    images = content.get("images") if type(content) is dict else None
-    entries = [e for e in images or () if type(e) is dict] if type(images) is list else []
+    images = content["images"] if is_synloc(content) else []
     own = [(str(e.get("file_name", i)), CameraRecord(f"images[{i}]", e))
-           for i, e in enumerate(entries) if _MATRIX in e]  # fmt: skip
-    if not own:
-        raise CameraError(path, f"holds no image with {_MATRIX}", place="images")
-    left = len(entries) - len(own)
+           for i, e in enumerate(images) if type(e) is dict and _MATRIX in e]  # fmt: skip
+    left = len(images) - len(own)
     notices = (f"{pluralize(left, 'image has', 'images have')} no camera",) if left else ()
-    return CameraRecords.of(path, own, _synloc_camera, notices)
+    return CameraRecords.of(path, own, _synloc_camera, notices, f"images with {_MATRIX}")
 
 
 def _synloc_camera(content: Any, path: str, inside: str) -> LoadedCamera:
@@ -229,12 +216,10 @@ def qualisys_records(content: Any, path: str) -> CameraRecords:
     Raises:
         CameraError: it lists none.
     """
-    cameras = content.findall("cameras/camera") if hasattr(content, "findall") else []
+    cameras = content.findall("cameras/camera") if is_qualisys(content) else []
     found = [(c.get("serial", str(i)), CameraRecord(f"camera {i}", c))
              for i, c in enumerate(cameras, 1)]  # fmt: skip
-    if not found:
-        raise CameraError(path, "lists no camera, expected <calibration><cameras><camera>")
-    return CameraRecords.of(path, found, _qualisys_camera)
+    return CameraRecords.of(path, found, _qualisys_camera, (), "<calibration><cameras><camera>")
 
 
 def _qualisys_camera(content: Any, path: str, inside: str) -> LoadedCamera:
