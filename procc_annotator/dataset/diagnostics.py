@@ -16,7 +16,6 @@ from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.registry import PLAIN, detect_formats
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.annotations.soccernet_set import WITHOUT_GEOMETRY
-from procc_annotator.formats.annotations.yolo_pose import is_pose_label
 from procc_annotator.formats.cameras.registry import detected_title, suffixes_of
 from procc_annotator.formats.file_listing import CAMERA_PREFIX, list_annotations
 from procc_annotator.formats.file_source import FileSource, open_source, suffix_of
@@ -45,12 +44,8 @@ def found_instead_of_annotations(source: FileSource) -> str:
     cameras = sum(name.rpartition("/")[2].startswith(CAMERA_PREFIX) for name in names)
     if cameras:
         return f"; it holds {pluralize(cameras, 'camera')} ({CAMERA_PREFIX}*): give the annotations"
-    if labels := _pose_labels(source, names):
-        return (
-            f"; it holds {pluralize(labels, 'file')} of YOLO pose, which is not read: get it as"
-            " COCO"
-            " keypoints, and procc-annotator propose-map says what its places are"
-        )
+    if unread := _unread(source, names):
+        return unread
     if suffixes := {suffix_of(name) for name in names} & camera_suffixes():
         files = sum(suffix_of(name) in suffixes for name in names)
         kinds = ", ".join(sorted(suffixes))
@@ -113,7 +108,7 @@ def found_instead_of_cameras(place: Path) -> str:
         with open_source(place) as source:
             told = [known for known in detect_formats(source) if known.name != PLAIN]
             files = source.tree()
-            labels, unread = _pose_labels(source, files), _unread(source, files)
+            unread = _unread(source, files)
     except (InputError, UsageError):  # what cannot be opened is told where it is needed
         return ""
     if told:
@@ -122,8 +117,6 @@ def found_instead_of_cameras(place: Path) -> str:
             f"; it holds annotations ({titles}): procc-annotator calibrate {place} OUT fits cameras"
             " to them"
         )
-    if labels:
-        return f"; it holds annotations ({pluralize(labels, 'file')} of YOLO pose, not read)"
     if unread:
         return unread
     if any(suffix_of(name) in suffixes_of() for name in files):
@@ -139,24 +132,17 @@ def _camera_title(source: FileSource, name: str) -> str:
 
 
 def _unread(source: FileSource, names: Sequence[str]) -> str:
-    """Return that the first files are of a program whose files are not read, and the way out."""
-    for name in names[:_LOOKED_INTO]:
+    """Return how many files are of a program whose files are not read, and the way out; empty if
+    the first ones are not."""
+    for name in [n for n in names if suffix_of(n) not in PICTURE_SUFFIXES][:_LOOKED_INTO]:
         try:
             data = source.read(name) if suffix_of(name) in _TEXTS else b""
         except InputError:  # told where it is read
             continue
         if (known := unread_format(name, data)) is not None:
-            return f"; {name.rpartition('/')[2]} {known.problem}: {known.advice}"
+            files = pluralize(sum(suffix_of(n) == suffix_of(name) for n in names), "file")
+            return f"; it holds {files} of {known.title}, which is not read: {known.advice}"
     return ""
-
-
-def _pose_labels(source: FileSource, names: Sequence[str]) -> int:
-    texts = [name for name in names if suffix_of(name) == ".txt"]
-    try:
-        told = any(is_pose_label(source.read(name)) for name in texts[:_LOOKED_INTO])
-    except InputError:  # what cannot be read tells nothing
-        return 0
-    return len(texts) if told else 0
 
 
 def has_packed_pictures(source: FileSource) -> bool:

@@ -14,7 +14,7 @@ import msgspec
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.formats.annotations.soccernet import CAMERA_KEY, may_be_points
-from procc_annotator.formats.cameras.registry import ALONE_SUFFIXES, suffixes_of
+from procc_annotator.formats.cameras.registry import ALONE_SUFFIXES, PAIR_NAMES, suffixes_of
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import (
     PICTURE_SUFFIX,
@@ -264,7 +264,9 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     suffixes = suffixes_of(fmt)
 
     def wanted(name: str) -> bool:
-        return splitext(name)[1].lower() in suffixes and name not in OWN_FILES
+        suffix = splitext(name)[1].lower()
+        other = suffix == ".bin" and name not in PAIR_NAMES  # weights, points: of anything
+        return suffix in suffixes and name not in OWN_FILES and not other
 
     names, in_tree = files_of(source, wanted)
     if not names and fmt == "auto":

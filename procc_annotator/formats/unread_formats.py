@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath
+
+from procc_annotator.formats.annotations.yolo_pose import is_pose_label
+from procc_annotator.messages import markdown_table
 
 _COLMAP = "export a COLMAP model (images, cameras) and give its folder"
 _NUMPY = "load it where it comes from and save the arrays K, R, t, dist with numpy.savez"
@@ -18,71 +22,77 @@ class UnreadFormat:
         advice: what to do instead.
         suffixes: of files that are of no other format, lower case.
         marks: of which the first 4 kB hold one.
+        is_of: whether the bytes of a file are of the format.
     """
 
     title: str
     advice: str
     suffixes: tuple[str, ...] = ()
     marks: tuple[bytes, ...] = ()
+    is_of: Callable[[bytes], bool] = lambda _: False
 
     @property
     def problem(self) -> str:
         """Return what is wrong with such a file."""
-        return f"is {self.title}, which is not read"
+        return f"is a file of {self.title}, which is not read"
 
 
 _U = UnreadFormat
 UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
-    _U("a Metashape project or camera XML", f"File > Export > Export Cameras: {_COLMAP}",
+    _U("Metashape (project or cameras)", f"File > Export > Export Cameras: {_COLMAP}",
        (".psx", ".psz"), (b"<chunk ", b"<calibration><projection>", b"<chunks")),
-    _U("a RealityScan or RealityCapture file", f"Workflow > Export > Registration: {_COLMAP}",
+    _U("RealityScan or RealityCapture", f"Workflow > Export > Registration: {_COLMAP}",
        (".rcproj", ".xmp"), (b"xcr:", b"RealityCapture")),
-    _U("an OpenMVG or Meshroom scene", f"convert it (openMVG_main_openMVG2Colmap): {_COLMAP}",
+    _U("OpenMVG or Meshroom", f"convert it (openMVG_main_openMVG2Colmap): {_COLMAP}",
        (".sfm",), (b'"sfm_data_version"', b'"featuresFolders"')),
-    _U("a Bundler or VisualSFM model", f"open it in COLMAP or MeshLab: {_COLMAP}",
+    _U("Bundler or VisualSFM", f"open it in COLMAP or MeshLab: {_COLMAP}",
        (".nvm",), (b"# Bundle file", b"NVM_V3")),
-    _U("a Blender scene", "write the cameras as transforms.json (a NeRF export add-on)",
+    _U("Blender", "write the cameras as transforms.json (a NeRF export add-on)",
        (".blend",), (b"BLENDER",)),
-    _U("an FBX, Alembic, USD or glTF scene", "open it in Blender and write the cameras as"
+    _U("a scene (FBX, Alembic, USD, glTF)", "open it in Blender and write the cameras as"
        " transforms.json", (".fbx", ".abc", ".usd", ".usda", ".usdc", ".usdz", ".gltf", ".glb"),
        (b"Kaydara FBX",)),
-    _U("a PTGui or Hugin project", "it has lenses without a place: click the field in the panorama",
+    _U("PTGui or Hugin", "it has lenses without a place: click the field in the panorama",
        (".pts", ".pto"), (b"# ptGui", b"# hugin project")),
-    _U("a Kinovea annotation", "it has a grid in the picture: click the field's elements instead",
+    _U("Kinovea", "it has a grid in the picture: click the field's elements instead",
        (".kva",), (b"<KinoveaVideoAnalysis",)),
     _U("tracking data (TRACAB, EPTS)", "it has positions of players, no camera",
        (), (b"<TracabMetaData", b"<TracabData", b"<ManagedObjects", b"<EPTS")),
-    _U("a Vicon, OptiTrack or Theia calibration", "convert it with Pose2Sim to Calib.toml",
+    _U("Vicon, OptiTrack or Theia", "convert it with Pose2Sim to Calib.toml",
        (".xcp", ".cal", ".mcal"), (b"VICON_RADIAL", b"<OptitrackCalibration")),
-    _U("a ROS or Kalibr calibration", "it has a lens without a place: add R and tvec as"
+    _U("ROS or Kalibr", "it has a lens without a place: add R and tvec as"
        " cv::FileStorage writes them", (), (b"distortion_model: ", b"cam_overlaps")),
-    _U("a pickle, which may run any program on loading", _NUMPY, (".pkl", ".pickle", ".p", ".pt",
+    _U("pickles, which may run any program", _NUMPY, (".pkl", ".pickle", ".p", ".pt",
        ".pth")),
-    _U("an HDF5 or Parquet file", _NUMPY, (".h5", ".hdf5", ".parquet"), (b"\x89HDF", b"PAR1")),
-    _U("a Supervisely annotation", "export the project as COCO or as Datumaro",
+    _U("HDF5 or Parquet", _NUMPY, (".h5", ".hdf5", ".parquet"), (b"\x89HDF", b"PAR1")),
+    _U("Supervisely", "export the project as COCO or as Datumaro",
        (), (b'"classTitle"',)),
-    _U("a VIA 3 project", "draw in VIA 2, or export from VIA 3 as COCO", (), (b'"fid_list"',)),
-    _U("a V7 Darwin annotation", "export it as COCO", (), (b"darwin",)),
-    _U("a Pascal VOC annotation", "it has boxes, no lines: export polylines as CVAT or COCO",
+    _U("VIA 3", "draw in VIA 2, or export from VIA 3 as COCO", (), (b'"fid_list"',)),
+    _U("YOLO pose", "get it as COCO keypoints, and procc-annotator propose-map says what its places"
+       " are", (), (), is_pose_label),
+    _U("V7 Darwin", "export it as COCO", (), (b"darwin",)),
+    _U("Pascal VOC", "it has boxes, no lines: export polylines as CVAT or COCO",
        (), (b"<annotation>\n\t<folder", b"<bndbox>")),
-    _U("an ImageJ or MATLAB labelling file", "export the points as CSV of VIA or as COCO",
+    _U("ImageJ", "export the points as CSV of VIA or as COCO",
        (".roi",), ()),
 )  # fmt: skip
 
 
 def unread_format(path: str, data: bytes = b"") -> UnreadFormat | None:
-    """The format of a file that is not read, by its suffix and the first of its bytes; None where
-    nothing tells."""
+    """The format of a file that is not read, by its suffix and its bytes; None where nothing
+    tells."""
     suffix, head = PurePath(path).suffix.lower(), data[:4096]
-    found = (u for u in UNREAD_FORMATS if suffix in u.suffixes or any(m in head for m in u.marks))
-    return next(found, None)
+    for known in UNREAD_FORMATS:
+        if suffix in known.suffixes or any(m in head for m in known.marks) or known.is_of(data):
+            return known
+    return None
 
 
 def unread_table() -> str:
     """The table of formats that are not read of the documentation, in Markdown."""
-    lines = ["| not read | recognised by | way out |", "|---|---|---|"]
+    rows = []
     for known in UNREAD_FORMATS:
         marks = (mark.decode("latin-1").strip("\x89 \n").split("\n")[0] for mark in known.marks)
-        told = ", ".join(f"`{one}`" for one in (*known.suffixes, *marks))
-        lines.append(f"| {known.title} | {told} | {known.advice} |")
-    return "\n".join(lines) + "\n"
+        told = ", ".join(f"`{one}`" for one in (*known.suffixes, *marks)) or "its numbers"
+        rows.append((known.title, told, known.advice))
+    return markdown_table([("not read", "recognised by", "way out"), *rows])

@@ -159,7 +159,7 @@ def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_pat
         assert "it holds 5 files of YOLO pose, which is not read" in done.stderr
         assert "choose one" not in done.stderr
     done = cli("evaluate", dataset.annotations, out, code=2)
-    assert "it holds annotations (5 files of YOLO pose, not read)" in done.stderr
+    assert "it holds 5 files of YOLO pose, which is not read" in done.stderr
     done = cli("convert", out, tmp_path / "back", "--to", "coco", code=2)
     assert "it holds 5 files of YOLO pose, which is not read" in done.stderr
 

@@ -26,7 +26,7 @@ from procc_annotator.formats.csv_tables import read_table
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import PICTURE_SUFFIX, picture_name
 from procc_annotator.formats.strict_json import decode_strict, json_kind, parse_number, printable
-from procc_annotator.messages import pluralize
+from procc_annotator.messages import markdown_table, pluralize
 
 _LINE, _POLYGON, _GROUP = "line", "polygon", "group"
 _KINDS = {
@@ -350,9 +350,8 @@ TOOLS: tuple[Tool, ...] = (
 
 def tool_table() -> str:
     """The table of `TOOLS` of the documentation, in Markdown."""
-    lines = ["| `--from` | tool | file | recognised by |", "|---|---|---|---|"]
+    rows = []
     for tool in TOOLS:
         marks = " or ".join(f"`{' and '.join(marks)}`" for marks in tool.marks)
-        told = marks or "keys `(x, y)`"
-        lines.append(f"| `{tool.name}` | {tool.title} | `{tool.example}` | {told} |")
-    return "\n".join(lines) + "\n"
+        rows.append((f"`{tool.name}`", tool.title, f"`{tool.example}`", marks or "keys `(x, y)`"))
+    return markdown_table([("`--from`", "tool", "file", "recognised by"), *rows])

@@ -109,10 +109,17 @@ class CameraRecords:
         found: Iterable[tuple[str, CameraRecord]],
         read_record: ReadRecord,
         notices: tuple[str, ...] = (),
+        expected: str = "",
     ) -> CameraRecords:
         """From (picture's name, record) pairs in file order; frames are called by the last parts of
-        these names, or by their paths where they lie in several folders."""
+        these names, or by their paths where they lie in several folders.
+
+        Raises:
+            CameraError: there is none, and something was expected.
+        """
         pairs = list(found)
+        if expected and not pairs:
+            raise CameraError(path, f"holds no camera, expected {expected}")
         folders = picture_folders_of(posix_path(name) for name, _ in pairs)
         by_path = len(folders) > 1
         only = next(iter(folders - {*PICTURE_FOLDERS}), "") if len(folders) == 1 else ""

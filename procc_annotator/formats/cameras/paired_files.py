@@ -81,9 +81,9 @@ def colmap_records(images: bytes, cameras: bytes, path: str, cameras_path: str) 
         if not frame_of_image(name):
             raise CameraError(path, "expected the name of a picture", place=place)
         found.append((name, CameraRecord(place, (words, lenses))))
-    if not found:
-        raise CameraError(path, "lists no picture, expected IMAGE_ID QW QX QY QZ TX TY TZ ...")
-    return CameraRecords.of(path, found, _colmap_camera)
+    return CameraRecords.of(
+        path, found, _colmap_camera, (), "pictures as IMAGE_ID QW QX QY QZ TX TY TZ ..."
+    )
 
 
 def _colmap_camera(
@@ -264,10 +264,8 @@ def easymocap_records(
         (name, CameraRecord(f"camera {name}", {**lenses.get(name, {}), **pose}))
         for name, pose in poses.items()
     ]
-    if not found:
-        raise CameraError(path, "holds no camera, expected Rot_NAME (or R_NAME) and T_NAME")
     notices = (f"not used: {printable(', '.join(sorted(left)), 200)}",) if left else ()
-    return CameraRecords.of(path, found, krt_from, notices)
+    return CameraRecords.of(path, found, krt_from, notices, "Rot_NAME (or R_NAME) and T_NAME")
 
 
 def _by_name(

@@ -95,8 +95,6 @@ def deepsportradar_records(content: object, path: str) -> CameraRecords:
     if entries and type(content[0]) is dict and set(content[0]) == {"width", "height"}:
         size = JsonValues(content[0], path, "[0]", _DEEPSPORTRADAR.kind, nested=True).size()
         entries = entries[1:]
-    if not entries:
-        raise CameraError(path, "holds no camera, expected a list of cameras")
 
     def camera(entry: object, path: str, at: str) -> LoadedCamera:
         values = JsonValues.of(entry, path, at, _DEEPSPORTRADAR.kind, nested=True)
@@ -107,7 +105,7 @@ def deepsportradar_records(content: object, path: str) -> CameraRecords:
     found = [
         (str(frame), CameraRecord(f"[{i}]", entry)) for frame, (i, entry) in enumerate(entries)
     ]
-    return CameraRecords.of(path, found, camera, (_REMARK,))
+    return CameraRecords.of(path, found, camera, (_REMARK,), "a list of cameras")
 
 
 _MATLAB_KIND = "an annotation of a MATLAB structure"
@@ -137,9 +135,7 @@ def annotation_records(read: ReadRecord, content: object, path: str) -> CameraRe
         (str(entry["image_name"]), CameraRecord(f"annotation({i})", entry))
         for i, entry in enumerate(_annotations(content), 1)
     ]
-    if not found:
-        raise CameraError(path, "holds no camera, expected annotation(i) with image_name")
-    return CameraRecords.of(path, found, read)
+    return CameraRecords.of(path, found, read, (), "annotation(i) with image_name")
 
 
 def read_set_homography(content: Any, path: str, inside: str) -> LoadedCamera:

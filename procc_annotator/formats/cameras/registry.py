@@ -6,6 +6,7 @@ import json
 import os
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 from pathlib import PurePath
 from typing import Any
 
@@ -133,11 +134,11 @@ def _detected(content: object, path: str) -> CameraFormat:
     if type(content) is list and any(map(is_tvcalib, content)):
         return TVCALIB
     told = [(row, row.recognises) for row in ROWS if row.recognises is not None]
-    found = [row for row, is_of in told[1:] if is_of(content)]
+    whole = (row for row, is_of in told[1:] if is_of(content))
     entries = list(map(flat_entry, values))
-    found += [row for row, is_of in told if not found and row.one and any(map(is_of, entries))]
-    if found:
-        return found[0]
+    parts = (row for row, is_of in told if row.one is not None and any(map(is_of, entries)))
+    if (found := next(chain(whole, parts), None)) is not None:
+        return found
     named = PurePath(path).name.startswith(SOCCERNET_PREFIX)
     if named or (type(content) is dict and any(key in content for key in _SOCCERNET_KEYS)):
         return SOCCERNET  # which says what else is missing
@@ -233,6 +234,7 @@ _ANY = CameraFormat(
 # Of tables and settings as well, which lie beside cameras: read where it is the only such file.
 ALONE_SUFFIXES = frozenset({".csv", TOML_SUFFIX})
 PAIRED_FORMATS: tuple[CameraFormat, ...] = tuple(row for row in FORMATS if row.pairs)
+PAIR_NAMES = frozenset(name for row in PAIRED_FORMATS for pair in row.pairs for name in pair)
 CAMERA_FORMATS: tuple[str, ...] = ("auto", *(f.name for f in FORMATS))
 
 

@@ -263,10 +263,8 @@ def broadtrack_records(content: object, path: str) -> CameraRecords:
         CameraError: not an object of objects.
     """
     values = JsonValues.of(content, path, kind="a BroadTrack file (picture name -> camera)")
-    if not values.content:
-        raise CameraError(path, "holds no camera, expected picture names with cameras")
     found = [(name, CameraRecord(name, entry)) for name, entry in values.content.items()]
-    return CameraRecords.of(path, found, broadtrack_from)
+    return CameraRecords.of(path, found, broadtrack_from, (), "picture names with cameras")
 
 
 def broadtrack_from(content: object, path: str, inside: str = "") -> LoadedCamera:

@@ -35,6 +35,7 @@ from procc_annotator.formats.cameras.paired_files import (
     raise_half_of_pair,
 )
 from procc_annotator.formats.cameras.polylines import is_whole, polylines_from, polylines_records
+from procc_annotator.messages import markdown_table
 
 JSON = (".json", ".jsonl", *ARRAY_SUFFIXES)
 STORAGE_SUFFIXES = (".yml", ".yaml", ".xml")
@@ -221,12 +222,8 @@ ROWS: tuple[CameraFormat, ...] = (
 
 def format_table() -> str:
     """The table of formats of the documentation, in Markdown."""
-    lines = [
-        "| name | format | file | recognised by | world in the file |",
-        "|---|---|---|---|---|",
-    ]
+    rows = []
     for row in ROWS:
         keys = f"`{row.keys}`" if row.keys else "its name"
-        cells = (f"`{row.name}`", row.title, row.example, keys, row.world)
-        lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines) + "\n"
+        rows.append((f"`{row.name}`", row.title, row.example, keys, row.world))
+    return markdown_table([("name", "format", "file", "recognised by", "world in the file"), *rows])

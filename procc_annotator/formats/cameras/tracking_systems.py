@@ -14,20 +14,10 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.json_values import JsonValues, degrees
-from procc_annotator.formats.cameras.krt import (
-    HALF_TURN,
-    KRT_KEYS,
-    KrtKeys,
-    centred_k,
-    krt_from,
-)
+from procc_annotator.formats.cameras.krt import HALF_TURN, KRT_KEYS, KrtKeys, centred_k, krt_from
 from procc_annotator.formats.cameras.krt_sets import BY_ORDER, depth_of
-from procc_annotator.formats.cameras.lens_curves import (
-    distortion_of_inverse,
-    fisheye_of_polynomial,
-)
+from procc_annotator.formats.cameras.lens_curves import distortion_of_inverse, fisheye_of_polynomial
 from procc_annotator.formats.cameras.loaded_camera import (
     CameraRecord,
     CameraRecords,
@@ -57,15 +47,12 @@ def synloc_records(content: Any, path: str) -> CameraRecords:
     Raises:
         CameraError: none has one.
     """
-    images = content.get("images") if type(content) is dict else None
-    entries = [e for e in images or () if type(e) is dict] if type(images) is list else []
+    images = content["images"] if is_synloc(content) else []
     own = [(str(e.get("file_name", i)), CameraRecord(f"images[{i}]", e))
-           for i, e in enumerate(entries) if _MATRIX in e]  # fmt: skip
-    if not own:
-        raise CameraError(path, f"holds no image with {_MATRIX}", place="images")
-    left = len(entries) - len(own)
+           for i, e in enumerate(images) if type(e) is dict and _MATRIX in e]  # fmt: skip
+    left = len(images) - len(own)
     notices = (f"{pluralize(left, 'image has', 'images have')} no camera",) if left else ()
-    return CameraRecords.of(path, own, _synloc_camera, notices)
+    return CameraRecords.of(path, own, _synloc_camera, notices, f"images with {_MATRIX}")
 
 
 def _synloc_camera(content: Any, path: str, inside: str) -> LoadedCamera:
@@ -105,6 +92,7 @@ def _fitted(off_px: FloatArray, what: str) -> tuple[str, ...]:
 _OTIO = KrtKeys(axes=HALF_TURN, kind="an OpenTrackIO sample")
 # Its camera looks along y, x to the right, z up; here x is right, y down, z forward.
 _CAMERA_AXES = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
+_USUAL_WIDTH, _PUPIL = 1920, "entrancePupilOffset"
 _LENS_USED = (
     "pinholeFocalLength", "distortion", "projectionOffset", "nominalFocalLength",
     "distortionOverscan", "undistortionOverscan", "focusDistance",
@@ -114,14 +102,20 @@ _LENS_USED = (
 def is_opentrackio(content: Any) -> bool:
     """Return whether decoded content is a sample of OpenTrackIO, or a list of them."""
     entries = content if type(content) is list else [content]
-    return any(type(e) is dict and {"transforms", "lens", "static"} <= e.keys() for e in entries)
+    return any(type(e) is dict and {"transforms", "lens"} <= e.keys() for e in entries)
 
 
 def opentrackio_records(content: Any, path: str) -> CameraRecords | None:
-    """The cameras of a list of samples; None for one sample."""
+    """The cameras of a list of samples, of which some repeat what is static; None for one."""
     if type(content) is not list:
         return None
-    found = [(str(i), CameraRecord(f"[{i}]", sample)) for i, sample in enumerate(content)]
+    found: list[tuple[str, CameraRecord]] = []
+    static: object = {}
+    for i, sample in enumerate(content):
+        if type(sample) is dict:
+            static = sample.get("static", static)
+            sample = {"static": static, **sample}
+        found.append((str(i), CameraRecord(f"[{i}]", sample)))
     return CameraRecords.of(path, found, opentrackio_from, (BY_ORDER,))
 
 
@@ -134,11 +128,11 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
     sample = JsonValues.of(content, path, inside, _OTIO.kind)
     camera = sample.part("static").part("camera")
     lens, sensor = sample.part("lens"), camera.part("activeSensorPhysicalDimensions")
-    pixels = camera.part("activeSensorResolution")
-    size = pixels.size()
-    if size is None:
-        raise pixels.missing("pixels", "width", "height")
     mm = np.array([sensor.focal("width"), sensor.focal("height")])
+    pixels = "activeSensorResolution"
+    size = camera.part(pixels).size() if pixels in camera else None
+    unsized = () if size else (f"names no {pixels}: a width of {_USUAL_WIDTH} px is taken",)
+    size = size or (_USUAL_WIDTH, round(float(_USUAL_WIDTH * mm[1] / mm[0])))
     offset = np.zeros(2)
     if "projectionOffset" in lens:
         shift = lens.part("projectionOffset")
@@ -158,12 +152,14 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
         pan, tilt, roll = degrees(turned, ("pan", "tilt", "roll"))
         position = position + rotation @ np.array([moved.number(key) for key in "xyz"])
         rotation = rotation @ _about(2, pan) @ _about(0, tilt) @ _about(1, roll)
+    pupil_m = lens.number(_PUPIL) if _PUPIL in lens else 0.0  # in front of the sensor
+    position = position + rotation @ np.array([0.0, pupil_m, 0.0])
     own_parts = {
         "K": centred_k(fx, fy, cx, cy), "R": (_CAMERA_AXES @ rotation.T).tolist(),
         "position": position.tolist(), "dist": distortion, "width": size[0], "height": size[1],
     }  # fmt: skip
     loaded = krt_from(own_parts, path, inside, _OTIO)
-    return with_notices(loaded, (*notices, *lens.unused(*_LENS_USED)))
+    return with_notices(loaded, (*unsized, *notices, *lens.unused(*_LENS_USED)))
 
 
 def _about(axis: int, angle_rad: float) -> FloatArray:
@@ -229,12 +225,10 @@ def qualisys_records(content: Any, path: str) -> CameraRecords:
     Raises:
         CameraError: it lists none.
     """
-    cameras = content.findall("cameras/camera") if hasattr(content, "findall") else []
+    cameras = content.findall("cameras/camera") if is_qualisys(content) else []
     found = [(c.get("serial", str(i)), CameraRecord(f"camera {i}", c))
              for i, c in enumerate(cameras, 1)]  # fmt: skip
-    if not found:
-        raise CameraError(path, "lists no camera, expected <calibration><cameras><camera>")
-    return CameraRecords.of(path, found, _qualisys_camera)
+    return CameraRecords.of(path, found, _qualisys_camera, (), "<calibration><cameras><camera>")
 
 
 def _qualisys_camera(content: Any, path: str, inside: str) -> LoadedCamera:

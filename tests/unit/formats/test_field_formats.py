@@ -157,8 +157,10 @@ FILES: dict[str, tuple[str, Callable[[], bytes], str, Any]] = {
     "pose2sim": ("Calib.toml", pose2sim, "cam_01", BENT),
     "synloc": ("val.json", synloc, "7", KB),
     "opentrackio": ("sample.json", lambda: json.dumps(otio()).encode(), "sample", BENT),
-    "opentrackio lines": (
-        "clip.jsonl", lambda: b"\n".join([json.dumps(otio()).encode()] * 2), "1", BENT,
+    "opentrackio lines, static once": (
+        "clip.jsonl", lambda: b"\n".join(json.dumps({k: v for k, v in otio().items() if k not in
+                                                     left}).encode() for left in ((), ("static",))),
+        "1", BENT,
     ),
     "qualisys": ("a.qca.txt", qualisys, "21", BENT),
     "vggt": (
