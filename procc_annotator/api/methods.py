@@ -21,8 +21,6 @@ from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.atomic import make_folder
-from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX, sidecar_content
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.cameras.polylines import encode_whole
 from procc_annotator.formats.cameras.writers import encode_camera
@@ -118,7 +116,7 @@ def save_projection(
     written = [name for name in given or found if found.get(name) is not None]
     if not written:
         raise UsageError(f"{out}: nothing to write: no frame has a camera")
-    if out.suffix.lower() not in ("", ".zip"):
+    if out.suffix.lower() == ".json":
         raise UsageError(f"{out}: expected the name of a folder, or one that ends in .zip")
     files = {name: file_of_frame(name, ".json") for name in written}
     there = [out] if out.is_file() else [p for p in map(out.joinpath, files.values()) if p.exists()]
@@ -143,21 +141,16 @@ def write_method(
 ) -> None:
     """Write a method as camera files for ``setup``: pinholes and fisheyes themselves, cameras of
     other models as whole projections."""
-    for name, camera in cameras_of(method, frames, folder.name).items():
-        if camera is None:
-            continue
-        used = evaluated_camera(camera, setup, camera_size, f"{folder.name}: camera of {name}")
-        if isinstance(used.camera, PinholeCamera | FisheyeCamera):
-            loaded = LoadedCamera(used.camera, used.model, setup.size, fitted_on=used.fitted_on)
-            to = "soccernet" if isinstance(used.camera, PinholeCamera) else "krt"
-            data = encode_camera(loaded, to)[0]
-        else:
-            whole = complete_projections(used.camera, setup, name)
-            data = encode_whole(whole, setup.size, used.fitted_on)
-        path = folder / file_of_frame(name, ".json", CAMERA_PREFIX)
-        make_folder(path.parent)
-        path.write_bytes(data)
-        if used.fitted_on is not None:
-            path.with_name(f"{Path(name).name}{SIDECAR_SUFFIX}").write_bytes(
-                sidecar_content(used.fitted_on)
-            )
+    with open_target(folder) as target:
+        for name, camera in cameras_of(method, frames, folder.name).items():
+            if camera is None:
+                continue
+            used = evaluated_camera(camera, setup, camera_size, f"{folder.name}: camera of {name}")
+            if isinstance(used.camera, PinholeCamera | FisheyeCamera):
+                loaded = LoadedCamera(used.camera, used.model, setup.size, fitted_on=used.fitted_on)
+                to = "soccernet" if isinstance(used.camera, PinholeCamera) else "krt"
+                data = encode_camera(loaded, to)[0]
+            else:
+                whole = complete_projections(used.camera, setup, name)
+                data = encode_whole(whole, setup.size, used.fitted_on)
+            target.write(file_of_frame(name, ".json", CAMERA_PREFIX), data)

@@ -39,6 +39,7 @@ from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import compare_annotators as agreement_of
 from procc_annotator.report.comparison import compare_sources, write_comparison
 from procc_annotator.report.consensus import write_agreement
+from procc_annotator.report.outputs import open_target
 from procc_annotator.report.overlay_scene import OverlayLook
 from procc_annotator.report.page import report
 from procc_annotator.report.page.overlays import Painters
@@ -141,10 +142,9 @@ def _opened(
 
 def _write_annotations(annotations: Mapping[str, FrameAnnotation], folder: Path) -> None:
     make_folder(folder)
-    for name, annotation in annotations.items():
-        path = folder / file_of_frame(name, ".json")
-        make_folder(path.parent)
-        path.write_bytes(write_annotation(as_annotation(annotation)))
+    with open_target(folder) as target:
+        for name, one in annotations.items():
+            target.write(file_of_frame(name, ".json"), write_annotation(as_annotation(one)))
 
 
 def _content(path: Path) -> dict[str, Any]:
