@@ -15,15 +15,14 @@ from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.inputs import (
     AnyCamera,
     as_annotation,
-    as_camera,
     as_field,
     as_optional_size,
     as_path,
     as_picture,
     camera_at_size,
+    loaded_camera,
 )
 from procc_annotator.arrays import FloatArray
-from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.custom import FunctionCamera, ValidatedCamera
 from procc_annotator.camera.matrices import (
@@ -46,10 +45,8 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.cameras.fit_record import (
     DIGEST,
     FIT_KEY,
-    UNCERTAINTY,
     annotation_digest,
 )
-from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.cameras.writers import (
     CAMERA_TARGETS,
     CameraWriter,
@@ -245,7 +242,9 @@ def save_camera(
         raise UsageError(f"{file}: expected a name that ends in {suffix} (format {format})")
     if not overwrite and os.path.lexists(file):
         raise UsageError(f"{file}: is there already (overwrite=True replaces it)")
-    loaded = _with_size(camera, as_optional_size(size))
+    loaded = loaded_camera(camera, "camera")
+    if loaded.size is None:
+        loaded = replace(loaded, size=as_optional_size(size))
     if fitted_to is not None:
         digest = annotation_digest(as_annotation(fitted_to))
         program = f"procc-annotator {__version__}"
@@ -266,22 +265,6 @@ def _writer(name: str) -> CameraWriter:
     if name not in alone:
         raise UsageError(f"no format {name!r} for one camera; there are {', '.join(alone)}")
     return writer_of(name)
-
-
-def _with_size(camera: AnyCamera, size: tuple[int, int] | None) -> LoadedCamera:
-    """The camera with the size (px) that its pixels belong to."""
-    if isinstance(camera, LoadedCamera):
-        return camera if camera.size is not None else replace(camera, size=size)
-    if isinstance(camera, FitResult):
-        if camera.camera is None:
-            raise UsageError(f"there is no camera to write, the fit failed: {camera.failure}")
-        what = {"model": camera.model, DIGEST: camera.fitted_on, UNCERTAINTY: camera.uncertainty}
-        return LoadedCamera(
-            camera.camera, camera.model, camera.size, content={FIT_KEY: what},
-            fitted_on=camera.fitted_on,
-        )  # fmt: skip
-    as_camera(camera, "camera")
-    return LoadedCamera(camera, str(getattr(camera, "model", type(camera).__name__)), size)
 
 
 def draw_overlay(

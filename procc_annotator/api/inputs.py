@@ -23,6 +23,7 @@ from procc_annotator.dataset.dataset_field import MAX_PIXEL_ASPECT
 from procc_annotator.errors import UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field, PixelAspect
+from procc_annotator.formats.cameras.fit_record import DIGEST, FIT_KEY, UNCERTAINTY
 from procc_annotator.formats.cameras.loaded_camera import (
     NAME_THE_FORMAT,
     LoadedCamera,
@@ -110,6 +111,26 @@ def evaluated_camera(
     if problem := projections_error(found.camera, setup):
         raise UsageError(f"{name}: {problem}")
     return found
+
+
+def loaded_camera(camera: object, name: str) -> LoadedCamera:
+    """A camera as a file of it would be read; its size is None where nothing says it.
+
+    Raises:
+        UsageError: it is none, or a fit that failed.
+    """
+    if isinstance(camera, LoadedCamera):
+        return camera
+    if isinstance(camera, FitResult):
+        if camera.camera is None:
+            raise UsageError(f"{name}: there is no camera, the fit failed: {camera.failure}")
+        what = {"model": camera.model, DIGEST: camera.fitted_on, UNCERTAINTY: camera.uncertainty}
+        return LoadedCamera(
+            camera.camera, camera.model, camera.size, content={FIT_KEY: what},
+            fitted_on=camera.fitted_on,
+        )  # fmt: skip
+    own = as_camera(camera, name)
+    return LoadedCamera(own, str(getattr(own, "model", type(own).__name__)))
 
 
 def position_remarks(cameras: Iterable[CameraInPixels]) -> tuple[str, ...]:

@@ -12,7 +12,6 @@ from types import MappingProxyType
 
 from procc_annotator.annotation import FrameAnnotation, pixel_like
 from procc_annotator.api.inputs import as_field, as_path
-from procc_annotator.arrays import BriefRepr
 from procc_annotator.calibration import fitting
 from procc_annotator.dataset.annotation_source import open_files, own_label_map
 from procc_annotator.dataset.dataset_field import field_of_dataset
@@ -42,8 +41,8 @@ OnDamaged = Callable[[ProccError], None]
 _ANNOTATIONS = (".json", ".xml")
 
 
-@dataclass(frozen=True, repr=False)
-class Dataset(BriefRepr):
+@dataclass(frozen=True)
+class Dataset:
     """Content of a dataset's folder.
 
     Attributes:
@@ -59,9 +58,9 @@ class Dataset(BriefRepr):
 
     path: Path
     field: Field
-    annotations: Mapping[str, FrameAnnotation]
-    pictures: Mapping[str, Path]
-    sizes: Mapping[str, Size] = attribute(default_factory=dict)
+    annotations: Mapping[str, FrameAnnotation] = attribute(repr=False)
+    pictures: Mapping[str, Path] = attribute(repr=False)
+    sizes: Mapping[str, Size] = attribute(default_factory=dict, repr=False)
 
     def size_of(self, frame: str) -> Size | None:
         """(width, height) px of a frame's picture as it is shown; None if unknown.

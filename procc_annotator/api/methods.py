@@ -12,21 +12,17 @@ from procc_annotator.api.inputs import (
     as_optional_size,
     as_path,
     camera_at_size,
-    evaluated_camera,
     kind_of,
+    loaded_camera,
 )
 from procc_annotator.api.loading import load_cameras
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.atomic import make_folder
-from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX, sidecar_content
+from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.cameras.polylines import encode_whole
-from procc_annotator.formats.cameras.writers import encode_camera
-from procc_annotator.formats.file_listing import CAMERA_PREFIX
 from procc_annotator.formats.frame_names import FrameTable, file_of_frame
 from procc_annotator.metrics.projection import complete_projections
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -118,7 +114,7 @@ def save_projection(
     written = [name for name in given or found if found.get(name) is not None]
     if not written:
         raise UsageError(f"{out}: nothing to write: no frame has a camera")
-    if out.suffix.lower() not in ("", ".zip"):
+    if out.suffix.lower() == ".json":
         raise UsageError(f"{out}: expected the name of a folder, or one that ends in .zip")
     files = {name: file_of_frame(name, ".json") for name in written}
     there = [out] if out.is_file() else [p for p in map(out.joinpath, files.values()) if p.exists()]
@@ -134,30 +130,30 @@ def save_projection(
     return tuple(written)
 
 
-def write_method(
-    folder: Path,
-    method: Method,
-    frames: Iterable[str],
-    setup: EvaluationSetup,
-    camera_size: tuple[int, int] | None,
-) -> None:
-    """Write a method as camera files for ``setup``: pinholes and fisheyes themselves, cameras of
-    other models as whole projections."""
-    for name, camera in cameras_of(method, frames, folder.name).items():
-        if camera is None:
-            continue
-        used = evaluated_camera(camera, setup, camera_size, f"{folder.name}: camera of {name}")
-        if isinstance(used.camera, PinholeCamera | FisheyeCamera):
-            loaded = LoadedCamera(used.camera, used.model, setup.size, fitted_on=used.fitted_on)
-            to = "soccernet" if isinstance(used.camera, PinholeCamera) else "krt"
-            data = encode_camera(loaded, to)[0]
-        else:
-            whole = complete_projections(used.camera, setup, name)
-            data = encode_whole(whole, setup.size, used.fitted_on)
-        path = folder / file_of_frame(name, ".json", CAMERA_PREFIX)
-        make_folder(path.parent)
-        path.write_bytes(data)
-        if used.fitted_on is not None:
-            path.with_name(f"{Path(name).name}{SIDECAR_SUFFIX}").write_bytes(
-                sidecar_content(used.fitted_on)
-            )
+class CamerasInMemory(CameraCollection):
+    """Cameras of a program as a collection of files, in the process that has them."""
+
+    def __init__(self, cameras: Mapping[str, AnyCamera | None], name: str, field: Field) -> None:
+        self.path, self.format, self.field, self.notices = Path(name), "values", field, ()
+        self._cameras = {frame: one for frame, one in cameras.items() if one is not None}
+        self.frames = FrameTable((frame, frame) for frame in self._cameras)
+
+    def read(self, frame: str, field: Field | None = None) -> LoadedCamera:
+        """See `CameraCollection`."""
+        loaded = loaded_camera(self._cameras[self.frames[frame]], self.display(frame))
+        return self._of_field(loaded, frame, field)
+
+    def display(self, frame: str) -> str:
+        """See `CameraCollection`."""
+        return f"{self.path}: camera of {frame}"
+
+    def folders(self) -> list[str]:
+        """See `CameraCollection`."""
+        return []
+
+    def files(self) -> Iterable[str]:
+        """See `CameraCollection`."""
+        return ()
+
+    def __exit__(self, *failure: object) -> None:
+        pass

@@ -24,7 +24,7 @@ from procc_annotator.api.inputs import (
 )
 from procc_annotator.api.loading import Dataset, load_dataset
 from procc_annotator.api.methods import Method, cameras_of
-from procc_annotator.arrays import BriefRepr, FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.audit import TAU_GRID
 from procc_annotator.batch.evaluation import CHUNK
 from procc_annotator.batch.frame_sums import FrameSums, SourceSums, frame_sums
@@ -54,8 +54,8 @@ FrameInputs = tuple[FrameAnnotation, CameraInPixels | None]
 Clustering = str | Mapping[str, str] | None
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class SetScore(BriefRepr):
+@dataclass(frozen=True, eq=False)
+class SetScore:
     """Result of `evaluate_set`.
 
     Attributes:
@@ -67,7 +67,7 @@ class SetScore(BriefRepr):
 
     described: str
     summaries: Mapping[float, SetSummary]
-    frames: Mapping[str, Mapping[float, FrameScore]]
+    frames: Mapping[str, Mapping[float, FrameScore]] = field(repr=False)
     _models: Mapping[str, str] = field(repr=False)
     _sums: SourceSums = field(repr=False)
     _terms: str = field(repr=False)

@@ -14,7 +14,7 @@ from typing import Any, TypedDict, Unpack
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.inputs import as_annotation, as_field, as_optional_size, as_path, kind_of
 from procc_annotator.api.loading import Dataset, load_dataset
-from procc_annotator.api.methods import Method, write_method
+from procc_annotator.api.methods import CamerasInMemory, Method, cameras_of
 from procc_annotator.batch.agreement import AgreementRun, ConsensusRun
 from procc_annotator.batch.comparison import ComparisonRun
 from procc_annotator.batch.execution.executor import Executor, make_executor
@@ -39,6 +39,7 @@ from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import compare_annotators as agreement_of
 from procc_annotator.report.comparison import compare_sources, write_comparison
 from procc_annotator.report.consensus import write_agreement
+from procc_annotator.report.outputs import open_target
 from procc_annotator.report.overlay_scene import OverlayLook
 from procc_annotator.report.page import report
 from procc_annotator.report.page.overlays import Painters
@@ -52,7 +53,7 @@ Annotations = Mapping[str, FrameAnnotation] | Dataset | str | Path
 
 class SetOptions(TypedDict, total=False):
     """How annotations and methods are compared, as of `evaluate_set`; ``workers``: processes that
-    share the work, 1 if not given, 0 for as many as the machine has."""
+    share the work if all methods are files, 1 if not given, 0 for as many as the machine has."""
 
     field: Field | str | None
     size: tuple[int, int]
@@ -103,8 +104,8 @@ class _Opened:
 def _opened(
     annotations: Annotations, methods: Mapping[str, Any], options: SetOptions
 ) -> Iterator[_Opened]:
-    """Annotations and methods as the commands read them; what is given as values is written to a
-    folder that is removed afterwards."""
+    """Annotations and methods as the commands read them; annotations that are given as values are
+    written to a folder that is removed afterwards."""
     if not isinstance(methods, Mapping):
         raise UsageError(f"methods: expected them by name, found {kind_of(methods)}")
     field = options.get("field")
@@ -126,25 +127,25 @@ def _opened(
             options.get("planar_only", False),
         )  # fmt: skip
         own = as_optional_size(options.get("camera_size"))
-        cameras = {}
-        for number, (called, method) in enumerate(methods.items()):
+        cameras: dict[str, CameraCollection] = {}
+        for called, method in methods.items():
             if isinstance(method, str | Path):
-                at = Path(method)
+                there = CameraCollection.open(Path(method), field=known)
+                cameras[called] = opened.enter_context(there)
             else:
-                at = folder / str(number) / called.replace("/", "_")
-                write_method(at, method, frames, setup, own)
-            cameras[called] = opened.enter_context(CameraCollection.open(at, field=known))
+                cameras[called] = CamerasInMemory(cameras_of(method, frames, called), called, known)
+        of_files = not any(isinstance(one, CamerasInMemory) for one in cameras.values())
+        workers = options.get("workers", 1) or None if of_files else 1
         source = opened.enter_context(open_annotations(place, known))
-        executor = opened.enter_context(make_executor(options.get("workers", 1) or None))
+        executor = opened.enter_context(make_executor(workers))
         yield _Opened(name, source, cameras, setup, own, pictures, executor, folder)
 
 
 def _write_annotations(annotations: Mapping[str, FrameAnnotation], folder: Path) -> None:
     make_folder(folder)
-    for name, annotation in annotations.items():
-        path = folder / file_of_frame(name, ".json")
-        make_folder(path.parent)
-        path.write_bytes(write_annotation(as_annotation(annotation)))
+    with open_target(folder) as target:
+        for name, one in annotations.items():
+            target.write(file_of_frame(name, ".json"), write_annotation(as_annotation(one)))
 
 
 def _content(path: Path) -> dict[str, Any]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from procc_annotator.annotation import Polyline
-from procc_annotator.arrays import BriefRepr, FloatArray
+from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.optimization.camera_parameters import (
     LOG_FOCAL,
     PAN,
@@ -108,8 +108,8 @@ class PoseStandardDeviations:
     focal_px: float
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class FitResult(BriefRepr):
+@dataclass(frozen=True, eq=False)
+class FitResult:
     """A fit, or the reason why there is none.
 
     Attributes:
@@ -146,20 +146,20 @@ class FitResult(BriefRepr):
     size: tuple[int, int]
     camera: PosedCamera | HomographyCamera | None
     failure: str | None = None
-    elements: tuple[ElementResidual, ...] = ()
+    elements: tuple[ElementResidual, ...] = field(default=(), repr=False)
     deviations: PoseStandardDeviations | None = None
     error_px: float | None = None
     parameters: tuple[str, ...] = ()
-    covariance: FloatArray | None = None
+    covariance: FloatArray | None = field(default=None, repr=False)
     warm: bool = False
-    vector: FloatArray | None = None
-    basis: FloatArray | None = None
+    vector: FloatArray | None = field(default=None, repr=False)
+    basis: FloatArray | None = field(default=None, repr=False)
     chosen_because: str | None = None
     other_end: bool = False
     offset_px: float = 0.0
-    of_clicks: FloatArray | None = None
-    information: FloatArray | None = None
-    if_shared: FloatArray | None = None
+    of_clicks: FloatArray | None = field(default=None, repr=False)
+    information: FloatArray | None = field(default=None, repr=False)
+    if_shared: FloatArray | None = field(default=None, repr=False)
     shared_if_any: tuple[float, float] = (0.0, 0.0)
     fitted_on: str | None = None
     pixel_aspect: float = 1.0

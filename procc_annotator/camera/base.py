@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Protocol, cast, runtime_checkable
 
 import numpy as np
 
-from procc_annotator.arrays import BoolArray, BriefRepr, FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray
 
 
 @runtime_checkable
@@ -48,8 +48,8 @@ def projects_only_ground(camera: object) -> bool:
 _BORDER_TOLERANCE_PX = 1e-4  # files round shares
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class ElementProjections(BriefRepr):
+@dataclass(frozen=True, eq=False)
+class ElementProjections:
     """Projected polylines of the elements a source shows.
 
     The protocols ask a camera for nothing but these, so a method that cannot share its model can
@@ -63,8 +63,8 @@ class ElementProjections(BriefRepr):
         field_sha256: fingerprint of the field that was projected; empty where it is not known.
     """
 
-    pieces: Mapping[str, tuple[FloatArray, ...]]
-    samples: Mapping[str, FloatArray] | None = None
+    pieces: Mapping[str, tuple[FloatArray, ...]] = field(repr=False)
+    samples: Mapping[str, FloatArray] | None = field(default=None, repr=False)
     ground_only: bool = False
     field_sha256: str = ""
 

@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from procc_annotator.arrays import BriefRepr
 from procc_annotator.field.dimensions import Dimension, Relation
 from procc_annotator.field.geometry import (
     Covariance,
@@ -243,8 +242,8 @@ class PixelAspect:
     probability: float
 
 
-@dataclass(frozen=True, repr=False)
-class Field(BriefRepr):
+@dataclass(frozen=True)
+class Field:
     """A sports field: elements in a fixed order, its symmetries, and extra classes.
 
     ``classes_without_geometry`` may occur in files (``Line unknown``). ``rules`` is the rule book
@@ -261,21 +260,21 @@ class Field(BriefRepr):
 
     name: str
     title: str
-    dimensions: tuple[Dimension, ...]
-    elements: tuple[Element, ...]
-    symmetries: tuple[Symmetry, ...] = ()
-    classes_without_geometry: tuple[str, ...] = ()
-    cameras: CameraPlacement | None = None
+    dimensions: tuple[Dimension, ...] = dataclass_field(repr=False)
+    elements: tuple[Element, ...] = dataclass_field(repr=False)
+    symmetries: tuple[Symmetry, ...] = dataclass_field(default=(), repr=False)
+    classes_without_geometry: tuple[str, ...] = dataclass_field(default=(), repr=False)
+    cameras: CameraPlacement | None = dataclass_field(default=None, repr=False)
     rules: str = ""
     source: Path | None = dataclass_field(default=None, compare=False)
     own_file: str = dataclass_field(default="", compare=False)
-    relations: tuple[Relation, ...] = ()
-    landmarks: tuple[Landmark, ...] = ()
+    relations: tuple[Relation, ...] = dataclass_field(default=(), repr=False)
+    landmarks: tuple[Landmark, ...] = dataclass_field(default=(), repr=False)
     instant: str | None = None
-    instants: Mapping[str, str] = dataclass_field(default_factory=dict)
+    instants: Mapping[str, str] = dataclass_field(default_factory=dict, repr=False)
     lines: str = MEASURED_LINE
     usual_lines: str = dataclass_field(default=MEASURED_LINE, compare=False)
-    stadiums: Stadiums | None = None
+    stadiums: Stadiums | None = dataclass_field(default=None, repr=False)
     pixels: PixelAspect | None = None
 
     @property

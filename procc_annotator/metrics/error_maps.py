@@ -7,13 +7,13 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from procc_annotator.arrays import BriefRepr, FloatArray, IntArray
+from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.camera.base import Camera, CameraOrProjections
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -212,8 +212,8 @@ class DisagreementStatistics:
     pixels: MapSummary
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Disagreement(BriefRepr):
+@dataclass(frozen=True, eq=False)
+class Disagreement:
     """Disagreement of two cameras, pixel by pixel.
 
     Attributes:
@@ -228,12 +228,12 @@ class Disagreement(BriefRepr):
     """
 
     size: tuple[int, int]
-    xs_px: FloatArray
-    ys_px: FloatArray
-    metres: FloatArray
-    pixels: FloatArray
-    ground_a: FloatArray
-    ground_b: FloatArray
+    xs_px: FloatArray = field(repr=False)
+    ys_px: FloatArray = field(repr=False)
+    metres: FloatArray = field(repr=False)
+    pixels: FloatArray = field(repr=False)
+    ground_a: FloatArray = field(repr=False)
+    ground_b: FloatArray = field(repr=False)
 
     @cached_property
     def statistics(self) -> DisagreementStatistics:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from procc_annotator.arrays import BoolArray, BriefRepr, FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.field.model import Field
 from procc_annotator.metrics.measurement import Labelling, Measurement
 from procc_annotator.metrics.polylines import Polylines
@@ -48,8 +48,8 @@ class ElementScore:
         return self.max_distance
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class FrameScore(BriefRepr):
+@dataclass(frozen=True, eq=False)
+class FrameScore:
     """The score of one frame at one threshold, from the labelling that counts.
 
     Attributes:
@@ -64,8 +64,8 @@ class FrameScore(BriefRepr):
     fp: int
     fn: int
     mirrored: bool
-    labelling: Labelling
-    read: Labelling
+    labelling: Labelling = field(repr=False)
+    read: Labelling = field(repr=False)
 
     @property
     def jac(self) -> float:

@@ -78,7 +78,7 @@ class SetSummary:
     mean_recall: float | None
     mean_reprojection_error: float | None
     mean_error: float | None
-    per_class: Mapping[str, ClassSummary]
+    per_class: Mapping[str, ClassSummary] = field(repr=False)
 
 
 @dataclass(slots=True)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
-from procc_annotator.arrays import BriefRepr
 from procc_annotator.calibration.result import FitResult
 
 # Given beforehand; measured on the frame's own paint; propagated by the picture's motion; none.
@@ -44,8 +43,8 @@ class TrackedFrame:
     explained: float | None = None
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class Track(BriefRepr):
+@dataclass(frozen=True, eq=False)
+class Track:
     """The cameras of a run of frames.
 
     Attributes:
@@ -53,5 +52,5 @@ class Track(BriefRepr):
         shots: first and last number of each shot, in order.
     """
 
-    frames: tuple[TrackedFrame, ...]
+    frames: tuple[TrackedFrame, ...] = field(repr=False)
     shots: tuple[tuple[int, int], ...]

@@ -155,11 +155,6 @@ def name_with_mark(name: str, fitted: FitCounts) -> str:
     return name + "".join(sign for sign, count in zip(MARKS, fitted.values, strict=True) if count)
 
 
-def sidecar_content(digest: str) -> bytes:
-    """Return what a file next to a camera says of the annotation it was fitted to."""
-    return json.dumps({DIGEST: digest}).encode()
-
-
 def with_mark(data: bytes, digest: str | None) -> bytes:
     """A camera's file that says in itself what it was fitted to: a JSON object as a key, any other
     as a last line, which readers of text, YAML and .npy pass over."""

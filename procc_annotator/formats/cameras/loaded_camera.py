@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.arrays import BriefRepr
 from procc_annotator.camera.base import CameraOrProjections, ElementProjections, scaled_camera
 from procc_annotator.camera.models import FisheyeCamera, MatrixCamera, PinholeCamera
 from procc_annotator.errors import CameraError
@@ -25,8 +24,8 @@ from procc_annotator.formats.frame_names import (
 from procc_annotator.formats.strict_json import printable
 
 
-@dataclass(frozen=True, eq=False, repr=False)
-class LoadedCamera(BriefRepr):
+@dataclass(frozen=True, eq=False)
+class LoadedCamera:
     """A camera as read.
 
     Attributes:
@@ -50,9 +49,9 @@ class LoadedCamera(BriefRepr):
     camera: CameraOrProjections
     model: str
     size: tuple[int, int] | None = None
-    extra: Mapping[str, Any] = field(default_factory=dict)
+    extra: Mapping[str, Any] = field(default_factory=dict, repr=False)
     notices: tuple[str, ...] = ()
-    content: Mapping[str, Any] = field(default_factory=dict)
+    content: Mapping[str, Any] = field(default_factory=dict, repr=False)
     fitted_on: str | None = None
     held_out: LeftOutResult | None = None
     assumed_field: str = ""

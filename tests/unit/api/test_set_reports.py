@@ -50,8 +50,8 @@ def test_methods_in_any_form_have_the_figures_of_the_set(given, protocol):
     for one in found["evaluations"]:
         own = evaluate_set(annotations, methods[one["method"]], protocol=protocol, planar_only=True)
         summary, expected = one["summary"]["5"], own.summaries[5.0]
-        assert summary["mean_jac"] == pytest.approx(expected.mean_jac, abs=1e-12)
-        assert summary["mean_error"] == pytest.approx(expected.mean_error, abs=1e-6)
+        assert summary["mean_jac"] == expected.mean_jac
+        assert summary["mean_error"] == expected.mean_error
     chance = found["chance"][0]
     assert len(chance["differences"]["rows"]) == 6
     assert len(chance["intervals"]["rows"]) == 4
@@ -81,8 +81,8 @@ def test_two_methods_annotators_and_shots(given, sample_data):
     compared = compare_cameras(methods["values"], sample_data / "cameras" / "true", size=(480, 270))
     assert compared["size"] == [480, 270]
     assert 0 < compared["summary"]["metres"]["median"] < 5
-    with pytest.raises(UsageError, match="only projections"):
-        compare_cameras(methods["function"], methods["values"], list(annotations))
+    same = compare_cameras(methods["function"], methods["values"], list(annotations))
+    assert same["summary"]["metres"]["maximum"] < 1e-4
     agreed = compare_annotators({"a": sample_data, "b": annotations})
     assert agreed["summary"]["mean_jac"] == {"5": 1.0}
     camera = load_cameras(sample_data / "cameras" / "true")["00002"].camera
