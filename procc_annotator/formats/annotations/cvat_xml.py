@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 LABELS_NAME = "labels.json"
 _GREY = "#808080"
-_COURSES = frozenset({"polyline", "points", "polygon"})
+_COURSES = frozenset({"polyline", "points"})
 # Python's \d and int() take digits of every script; no other program does.
 _NUMBER = re.compile(r"\s*[-+]?(\d{1,64}(\.\d{0,64})?|\.\d{1,64})([eE][-+]?\d{1,4})?\s*", re.ASCII)
 _WHOLE = re.compile(r"\s*\d{1,9}\s*", re.ASCII)
@@ -60,12 +60,8 @@ def add_shape(pieces: ShapeCollector, shape: Element, label: str | None, place: 
     Raises:
         AnnotationError: its points or its label cannot be read.
     """
-    kind = str(shape.tag)
-    if kind not in _COURSES:
-        pieces.remark(f"shapes of the type {printable(kind)} are left out")
+    if not pieces.takes(str(shape.tag), _COURSES):
         return False
-    if kind == "polygon":
-        pieces.remark("polygons are taken for open lines through their points")
     if len(shape) or shape.get("occluded", "0") != "0" or shape.get("group_id") is not None:
         pieces.remark("attributes, groups and occlusion of shapes are left out")
     text = shape.get("points", "")

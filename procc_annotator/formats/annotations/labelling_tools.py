@@ -25,16 +25,18 @@ from procc_annotator.formats.annotations.shape_joining import ShapeCollector
 from procc_annotator.formats.csv_tables import read_table
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import PICTURE_SUFFIX, picture_name
-from procc_annotator.formats.strict_json import decode_strict, json_kind, parse_number, printable
+from procc_annotator.formats.strict_json import (
+    decode_strict,
+    is_finite_number,
+    parse_number,
+    printable,
+)
 from procc_annotator.messages import markdown_table, pluralize
 
-_LINE, _POLYGON, _GROUP = "line", "polygon", "group"
-_KINDS = {
-    **dict.fromkeys(("polyline", "line", "vectorlabels", "vector", "Polyline"), _LINE),
-    **dict.fromkeys(("point", "points", "keypointlabels", "keypoint", "Keypoint"), _LINE),
-    **dict.fromkeys(("polygon", "polygonlabels"), _POLYGON),
-    "skeleton": _GROUP,  # its elements are shapes of their own
-}
+_KINDS = frozenset({
+    "polyline", "line", "vector", "Polyline", "point", "points", "keypoint", "Keypoint",
+})  # fmt: skip
+_NAMED = {*_KINDS, "polygon"}
 _ON_ELEMENT_M = 0.06  # a line's middle lies up to half its width from its edge
 _SPACING_M = 0.05
 _PLACE = re.compile(r"\(\s*(-?\d+(?:\.\d+)?)\s*,\s*(-?\d+(?:\.\d+)?)\s*\)", re.ASCII)
@@ -138,19 +140,16 @@ class Tool:
         return ExchangedFrame(frame, pieces.annotation(), size, picture_name(picture))
 
     def _add(self, pieces: ShapeCollector, shape: Any, names: list[Any], place: str) -> bool:
-        points = next(
-            (v for way in self.points for v in _all(shape, way) if _may_be_points(v)), None
-        )
-        own = [key for key in (*_all(shape, "value"), shape) if type(key) is dict]
-        kind = _first(shape, (self.kind,)) if self.kind else None
-        kind = kind or next((k for keys in own for k in keys if k in _KINDS), None)
-        what = _LINE if kind is None else _KINDS.get(str(kind))
-        if what is None:
-            pieces.remark(f"shapes of the type {printable(str(kind))} are left out")
-        if points is None or what in (None, _GROUP):
+        found = (v for way in self.points for v in _all(shape, way))
+        points = next(filter(_may_be_points, found), None)
+        objects = [one for one in (*_all(shape, "value"), shape) if type(one) is dict]
+        own = _first(shape, (self.kind,)) if self.kind else None
+        named = [str(own)] if own is not None else [key for one in objects for key in one]
+        kinds = [stem for key in named if (stem := key.removesuffix("labels")) in _NAMED]
+        if (own is not None or kinds) and not pieces.takes([*kinds, own][0], _KINDS):
             return False
-        if what == _POLYGON:
-            pieces.remark("polygons are taken for open lines through their points")
+        if points is None:
+            return False
         label = _first(shape, self.label)
         if type(label) is int and 0 <= label < len(names):
             label = names[label]
@@ -175,11 +174,9 @@ class Tool:
             return None
         if isinstance(pair, Mapping):
             pair = [pair.get("x"), pair.get("y")]
-        if type(pair) is not list or len(pair) != 2:
-            raise pieces.error(f"expected a point of two numbers, found {json_kind(pair)}", place)
-        if self.unit != 1 and all(type(v) is int or isinstance(v, float) for v in pair):
-            pair = [v / (self.unit or 1) * n for v, n in zip(pair, pieces.size, strict=True)]
-        return pieces.point(pair[0], pair[1], place)
+        if self.unit != 1 and type(pair) is list and all(map(is_finite_number, pair)):
+            pair = [v / (self.unit or 1) * n for v, n in zip(pair, pieces.size, strict=False)]
+        return pieces.course([pair], place)[0]
 
 
 def _add_places(pieces: ShapeCollector, keys: list[str], clicks: list[Point]) -> bool:

@@ -21,13 +21,7 @@ from procc_annotator.formats.annotations.exchange import (
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
-from procc_annotator.formats.strict_json import (
-    decode_strict,
-    json_kind,
-    json_text,
-    parse_number,
-    printable,
-)
+from procc_annotator.formats.strict_json import decode_strict, json_kind, json_text, parse_number
 
 _TITLE = "labelme"
 _VERSION = "5.5.0"  # the release whose layout is written; labelme asks for the key
@@ -79,22 +73,12 @@ def _add_shape(pieces: ShapeCollector, shape: Any, place: str) -> None:
     if type(shape) is not dict or type(shape.get("points")) is not list:
         problem = f"expected a shape with label and points, found {json_kind(shape)}"
         raise pieces.error(problem, place, "correct or remove the shape")
-    kind = shape.get("shape_type") or "polygon"  # the oldest files knew nothing else
-    if kind == "polygon":
-        pieces.remark("polygons are taken for open lines through their points")
-    elif kind not in _COURSES:
-        what = printable(kind) if type(kind) is str else json_kind(kind)
-        pieces.remark(f"shapes of the type {what} are left out")
+    if not pieces.takes(shape.get("shape_type") or "polygon", _COURSES):  # as the oldest files
         return
     if shape.get("group_id") is not None or shape.get("description") or shape.get("flags"):
         pieces.remark("groups, descriptions and flags of shapes are left out")
-    points = []
-    for i, pair in enumerate(shape["points"]):
-        at = f"{place}.points[{i}]"
-        if type(pair) is not list or len(pair) != 2:
-            raise pieces.error(f"expected a point [x, y], found {json_kind(pair)}", at)
-        points.append(pieces.point(pair[0], pair[1], at))
-    pieces.add(shape.get("label"), tuple(points), f"{place}.label")
+    points = pieces.course(shape["points"], f"{place}.points")
+    pieces.add(shape.get("label"), points, f"{place}.label")
 
 
 def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:

@@ -8,6 +8,7 @@ well occur several times: their shapes stay apart, as ``Line unknown``, ``Line u
 from __future__ import annotations
 
 import re
+from collections.abc import Collection, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -70,6 +71,31 @@ class ShapeCollector:
             AnnotationError: no finite numbers, or absurdly far from the picture.
         """
         return point_of(x, y, self.size, self.path, place)
+
+    def takes(self, kind: object, lines: Collection[str]) -> bool:
+        """Return whether shapes of a kind are lines or points; polygons, and what is left out, are
+        noted."""
+        if kind == "polygon":
+            self.remark("polygons are taken for open lines through their points")
+        elif type(kind) is not str or kind not in lines:
+            what = printable(kind) if type(kind) is str else json_kind(kind)
+            self.remark(f"shapes of the type {what} are left out")
+            return False
+        return True
+
+    def course(self, pairs: Sequence[Any], place: str) -> Points:
+        """The points of pairs [x, y].
+
+        Raises:
+            AnnotationError: they are none.
+        """
+        found = []
+        for i, pair in enumerate(pairs):
+            at = f"{place}[{i}]"
+            if type(pair) is not list or len(pair) != 2:
+                raise self.error(f"expected a point [x, y], found {json_kind(pair)}", at)
+            found.append(self.point(pair[0], pair[1], at))
+        return tuple(found)
 
     def add(self, label: Any, points: Points, place: str) -> None:
         """One more shape.
