@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -18,7 +19,7 @@ from procc_annotator.formats.strict_json import finite_number, printable, utf8_t
 
 YARD_M = 0.9144
 HOMOGRAPHY_SIZE = (1280, 720)
-_LARGEST_FILE = 64 * 1024
+_LARGEST_FILE = 64 * 1024  # of text on one line
 _ROTATION_TOLERANCE = 1e-3  # numbers of three digits
 _TURNED = "takes the ground to the picture, not the picture to the ground"
 _CHOOSE = " (expected metres from the field's centre, or the units of the camera format)"
@@ -60,9 +61,7 @@ CONVENTIONS = {
 }
 
 
-def read_homography(
-    data: bytes, *, path: str, convention: str, assumed: bool = False
-) -> LoadedCamera:
+def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
     """Read a homography that maps picture pixels (of a 1280 x 720 picture) to the ground.
 
     Text holds nine numbers separated by white space or commas; ``.npy`` is recognised by its
@@ -72,32 +71,14 @@ def read_homography(
         data: the file's bytes.
         path: for error messages.
         convention: a key of `CONVENTIONS`.
-        assumed: whether no one named it; see `camera_from_homography`.
 
     Raises:
         CameraError: not nine finite numbers, or a matrix that cannot be inverted.
     """
-    if len(data) > _LARGEST_FILE:
-        raise CameraError(
-            path,
-            f"is larger than {_LARGEST_FILE // 1024} kB, expected 9 numbers (3 x 3)",
-            advice="is it this file?",
-        )
-    if data.startswith(NPY_MAGIC):
-        matrix = _from_npy(data, path)
-    else:
-        numbers = numbers_of_text(data, path)
-        if len(numbers) != 9:
-            raise CameraError(
-                path,
-                f"expected 9 numbers (3 x 3), found {len(numbers)}",
-                advice="the file may be cut off",
-            )
-        matrix = np.array(numbers).reshape(3, 3)
-    world_from_units = CONVENTIONS[convention].world_from_units
-    return camera_from_homography(
-        matrix, world_from_units, HOMOGRAPHY_SIZE, path=path, assumed=assumed
-    )
+    matrix = _matrices(data, path)
+    if matrix.shape != (3, 3):
+        raise _wrong_shape(matrix, path)
+    return _of_matrix(matrix, path, "", convention, assumed=False)
 
 
 def camera_from_homography(
@@ -182,18 +163,6 @@ def _looks_like(units_from_image: FloatArray, size: tuple[int, int]) -> str:
     return f"does not look at a field{_CHOOSE}"
 
 
-def _from_npy(data: bytes, path: str) -> FloatArray:
-    array = npy_array(data, path, "3 x 3 numbers")
-    if array.dtype.kind not in "fiu":
-        found = printable(str(array.dtype))
-        raise CameraError(path, f"expected an array of real numbers, found {found}")
-    if array.shape != (3, 3):
-        shape = " x ".join(str(n) for n in array.shape) or "a single value"
-        raise CameraError(path, f"expected a 3 x 3 matrix, found {printable(shape)}")
-    with np.errstate(over="ignore"):  # a longer float may become infinite here, and is refused
-        return _finite(array.astype(np.float64), path)
-
-
 def numbers_of_text(data: bytes, path: str) -> list[float]:
     """The numbers of a text, separated by white space or commas; # begins a comment.
 
@@ -212,17 +181,54 @@ def numbers_of_text(data: bytes, path: str) -> list[float]:
     return numbers
 
 
-def _finite(matrix: FloatArray, path: str) -> FloatArray:
-    bad = np.argwhere(~np.isfinite(matrix))
-    if len(bad):
-        row, column = bad[0]
-        problem = f"expected a finite number, found {matrix[row, column]}"
-        raise JsonValues({}, path).error(problem, f"row {row + 1} column {column + 1}")
+_SHAPES = {9: (3, 3), 12: (3, 4), 16: (4, 4)}  # by the numbers of a matrix
+
+
+def _matrices(data: bytes, path: str) -> FloatArray:
+    """The numbers of a file: one of `_SHAPES`, or a stack; text has one of these a line."""
+    if data.startswith(NPY_MAGIC):
+        array = npy_array(data, path, "3 x 3 numbers")
+        if array.dtype.kind not in "fiu":
+            found = printable(str(array.dtype))
+            raise CameraError(path, f"expected an array of real numbers, found {found}")
+        with np.errstate(over="ignore"):  # a longer float may become infinite, and is refused
+            matrices = array.astype(np.float64)
+    elif len(data) > _LARGEST_FILE and data.count(b"\n") < 2:
+        problem = f"is larger than {_LARGEST_FILE // 1024} kB, expected 9 numbers (3 x 3)"
+        raise CameraError(path, problem, advice="is it this file?")
+    else:
+        lines = [n for n in (line.partition(b"#")[0] for line in data.splitlines()) if n.strip()]
+        numbers = np.array(numbers_of_text(data, path))
+        alone = _SHAPES.get(len(numbers))
+        stacked = _SHAPES.get(len(numbers) // len(lines)) if lines else None
+        if alone is None and stacked is not None and len(numbers) % len(lines) == 0:
+            matrices = numbers.reshape(-1, *stacked)
+        else:
+            matrices = numbers.reshape(alone) if alone else numbers
+    return matrices
+
+
+def _finite(matrix: FloatArray, path: str, inside: str = "") -> FloatArray:
+    if len(bad := np.argwhere(~np.isfinite(np.atleast_2d(matrix)))):
+        place = f"row {bad[0][-2] + 1} column {bad[0][-1] + 1}"
+        problem = f"expected a finite number, found {np.atleast_2d(matrix)[tuple(bad[0])]}"
+        raise JsonValues({}, path, inside).error(problem, place)
     return matrix
 
 
-_LARGEST_TEXT = 4096  # of sixteen numbers
-_SHAPES = {9: (3, 3), 12: (3, 4), 16: (4, 4)}  # by the numbers of a matrix
+def _wrong_shape(matrix: FloatArray, path: str) -> CameraError:
+    shape = " x ".join(str(n) for n in matrix.shape) or "a single value"
+    problem = f"expected a 3 x 3 matrix, found {printable(shape)}"
+    if matrix.ndim == 1:
+        worlds, count = ", ".join(CONVENTIONS), len(matrix)
+        problem = f"{worlds}: expected 9 numbers (3 x 3), found {count}; projection: expected 12"
+    return CameraError(path, problem, advice="the file may be cut off")
+
+
+def _assumed(data: bytes, path: str) -> str:
+    """The convention of a homography that no one named."""
+    is_npy = data.startswith(NPY_MAGIC) or path.lower().endswith(".npy")
+    return "carwc" if is_npy else "wc14"
 
 
 def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
@@ -231,18 +237,10 @@ def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
     Raises:
         CameraError: no matrix of a camera.
     """
-    is_npy = data.startswith(NPY_MAGIC) or path.lower().endswith(".npy")
-    if data.startswith(NPY_MAGIC):
-        array = npy_array(data, path, "3 x 3 numbers")
-        if array.shape in ((3, 4), (4, 4)) and array.dtype.kind in "fiu":
-            return _of_projection(_finite(array.astype(np.float64), path), path)
-    elif not is_npy and len(data) <= _LARGEST_TEXT:
-        numbers = numbers_of_text(data, path)
-        if len(numbers) in (12, 16):
-            return _of_projection(np.array(numbers).reshape(_SHAPES[len(numbers)]), path)
-        _check_count(numbers, path)
-    convention = "carwc" if is_npy else "wc14"
-    return read_homography(data, path=path, convention=convention, assumed=True)
+    matrix = _matrices(data, path)
+    if matrix.shape not in _SHAPES.values():
+        raise _wrong_shape(matrix, path)
+    return _of_matrix(matrix, path, "", _assumed(data, path))
 
 
 def matrix_records(data: bytes, *, path: str) -> CameraRecords | None:
@@ -252,22 +250,24 @@ def matrix_records(data: bytes, *, path: str) -> CameraRecords | None:
     Raises:
         CameraError: damaged.
     """
-    if data.startswith(NPY_MAGIC):
-        array = npy_array(data, path, "3 x 3 numbers")
-        if array.ndim != 3 or array.dtype.kind not in "fiu":
-            return None
-        if array.shape[1:] not in _SHAPES.values():
-            return None
-        matrices = array.astype(float)
-    else:
-        lines = [line.partition(b"#")[0].replace(b",", b" ").split() for line in data.splitlines()]
-        lines = [line for line in lines if line]
-        count = len(lines[0]) if lines else 0
-        if len(lines) < 2 or count not in _SHAPES or any(len(line) != count for line in lines):
-            return None
-        matrices = np.array(numbers_of_text(data, path)).reshape(-1, *_SHAPES[count])
+    matrices = _matrices(data, path)
+    if matrices.ndim != 3 or matrices.shape[1:] not in _SHAPES.values():
+        return None
     found = [(str(i), CameraRecord(f"[{i}]", matrix)) for i, matrix in enumerate(matrices)]
-    return CameraRecords.of(path, found, _of_stack, (BY_ORDER,))
+    read = partial(_of_matrix, convention=_assumed(data, path))
+    return CameraRecords.of(path, found, read, (BY_ORDER,))
+
+
+def _of_matrix(
+    matrix: FloatArray, path: str, inside: str, convention: str, assumed: bool = True
+) -> LoadedCamera:
+    matrix = _finite(matrix, path, inside)
+    if matrix.shape != (3, 3):
+        return _of_projection(matrix, path, inside)
+    world = CONVENTIONS[convention].world_from_units
+    return camera_from_homography(
+        matrix, world, HOMOGRAPHY_SIZE, path=path, place=inside, assumed=assumed
+    )
 
 
 def _of_projection(matrix: FloatArray, path: str, inside: str = "") -> LoadedCamera:
@@ -285,25 +285,3 @@ def _of_projection(matrix: FloatArray, path: str, inside: str = "") -> LoadedCam
             advice="save both: numpy.savez(name, K=K, w2c=pose), or c2w for camera to world",
         )
     return projection_from(matrix[:3].tolist(), path, inside)
-
-
-def _check_count(numbers: list[float], path: str) -> None:
-    if len(numbers) != 9:
-        worlds = ", ".join(CONVENTIONS)
-        raise CameraError(
-            path,
-            f"{worlds}: expected 9 numbers (3 x 3), found {len(numbers)};"
-            " projection: expected 12 (3 x 4)",
-            advice="the file may be cut off",
-        )
-
-
-def _of_stack(content: FloatArray, path: str, inside: str) -> LoadedCamera:
-    if not np.isfinite(content).all():
-        raise JsonValues({}, path).error("expected finite numbers", inside)
-    if content.shape != (3, 3):
-        return _of_projection(content, path, inside)
-    world = CONVENTIONS["carwc"].world_from_units
-    return camera_from_homography(
-        content, world, HOMOGRAPHY_SIZE, path=path, place=inside, assumed=True
-    )
