@@ -232,24 +232,23 @@ def qualisys_records(content: Any, path: str) -> CameraRecords:
 
 
 def _qualisys_camera(content: Any, path: str, inside: str) -> LoadedCamera:
-    def numbers(tag: str, *names: str) -> list[float]:
+    def part(tag: str) -> JsonValues:
         found = content.find(tag)
         own = {} if found is None else {k: finite_number(v.strip()) for k, v in found.items()}
-        values = JsonValues(own, path, f"{inside}: {tag}", _QUALISYS.kind)
-        return [values.number(name) for name in names]
+        return JsonValues(own, path, f"{inside}: {tag}", _QUALISYS.kind)
 
-    view = "fov_video" if content.find("fov_video") is not None else "fov"
-    left, top, right, bottom = numbers(view, "left", "top", "right", "bottom")
-    found = (number / _SUBPIXELS for number in numbers("intrinsic", *_INTRINSIC))
-    fx, fy, cx, cy, *distortion = found
+    view = part("fov_video" if content.find("fov_video") is not None else "fov")
+    left, top, right, bottom = map(view.number, ("left", "top", "right", "bottom"))
+    lens, pose = part("intrinsic"), part("transform")
+    fx, fy, cx, cy, *distortion = (lens.number(name) / _SUBPIXELS for name in _INTRINSIC)
     # Its cameras look along -z, y up.
-    rotation = HALF_TURN @ np.array(numbers("transform", *_ROTATION)).reshape(3, 3)
+    rotation = HALF_TURN @ np.array([*map(pose.number, _ROTATION)]).reshape(3, 3)
     own = {
         "K": [[fx, 0, cx - left], [0, fy, cy - top], [0, 0, 1]], "R": rotation.tolist(),
-        "position": numbers("transform", "x", "y", "z"), "dist": distortion,
+        "position": [*map(pose.number, "xyz")], "dist": distortion,
         "width": right - left + 1, "height": bottom - top + 1,
     }  # fmt: skip
-    return krt_from(own, path, inside, _QUALISYS)
+    return with_notices(krt_from(own, path, inside, _QUALISYS), lens.unused(*_INTRINSIC))
 
 
 POSE2SIM = KrtKeys(
