@@ -1,7 +1,5 @@
 """Annotations of labelling tools: the same two lines and a point as each tool exports them."""
 
-import csv
-import io
 import json
 from pathlib import Path
 from typing import Any
@@ -11,6 +9,7 @@ import pytest
 
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.registry import ReadSet, SetReader
+from procc_annotator.formats.csv_tables import encode_rows
 from procc_annotator.formats.file_source import open_source
 
 W, H = 1280, 720
@@ -56,21 +55,12 @@ VIA = {
         {"shape_attributes": VIA_MARK, "region_attributes": {"class": {"Side line top": True}}},
     ]},
 }  # fmt: skip
-VIA_HEAD = (
-    "filename,file_size,file_attributes,region_count,region_id,region_shape_attributes,"
-    "region_attributes\n"
-)
-
-
-def via_csv() -> str:
-    rows = ((VIA_LINE, {"class": "Middle line"}), (VIA_MARK, {"class": "Side line top"}))
-    text = io.StringIO(VIA_HEAD)
-    text.seek(0, io.SEEK_END)
-    csv.writer(text).writerows(
-        ["7.jpg", 9, "{}", 2, i, json.dumps(shape), json.dumps(named)]
-        for i, (shape, named) in enumerate(rows)
-    )
-    return text.getvalue()
+VIA_ROWS = [
+    ["filename", "file_size", "file_attributes", "region_count", "region_id",
+     "region_shape_attributes", "region_attributes"],
+    ["7.jpg", 9, "{}", 2, 0, json.dumps(VIA_LINE), '{"class": "Middle line"}'],
+    ["7.jpg", 9, "{}", 2, 1, json.dumps(VIA_MARK), '{"class": "Side line top"}'],
+]  # fmt: skip
 
 
 DATUMARO = {
@@ -106,7 +96,7 @@ FILES: dict[str, tuple[str, Any]] = {
     "label-studio, JSON-MIN": ("project.json", [studio("min")]),
     "via": ("via.json", VIA),
     "via project": ("via.json", {"_via_settings": {}, "_via_img_metadata": VIA}),
-    "via, CSV": ("via.csv", via_csv()),
+    "via, CSV": ("via.csv", encode_rows(VIA_ROWS).decode()),
     "labelbox": ("export.ndjson", f"{json.dumps(LABELBOX)}\n"),
     "labelbox lines": ("e.ndjson", f"{json.dumps(LABELBOX)}\n" + json.dumps(
         LABELBOX | {"data_row": {"external_id": "8.jpg"}})),
