@@ -125,6 +125,8 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
     Raises:
         CameraError: a part is missing, or is not what it should be.
     """
+    import cv2  # most sets have none of these files
+
     sample = JsonValues.of(content, path, inside, _OTIO.kind)
     camera = sample.part("static").part("camera")
     lens, sensor = sample.part("lens"), camera.part("activeSensorPhysicalDimensions")
@@ -151,7 +153,8 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
             raise own.error("expected a scale of 1", "scale")
         pan, tilt, roll = degrees(turned, ("pan", "tilt", "roll"))
         position = position + rotation @ np.array([moved.number(key) for key in "xyz"])
-        rotation = rotation @ _about(2, pan) @ _about(0, tilt) @ _about(1, roll)
+        for turn in ((0.0, 0.0, pan), (tilt, 0.0, 0.0), (0.0, roll, 0.0)):
+            rotation = rotation @ cv2.Rodrigues(np.array(turn))[0]
     pupil_m = lens.number(_PUPIL) if _PUPIL in lens else 0.0  # in front of the sensor
     position = position + rotation @ np.array([0.0, pupil_m, 0.0])
     own_parts = {
@@ -160,16 +163,6 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
     }  # fmt: skip
     loaded = krt_from(own_parts, path, inside, _OTIO)
     return with_notices(loaded, (*unsized, *notices, *lens.unused(*_LENS_USED)))
-
-
-def _about(axis: int, angle_rad: float) -> FloatArray:
-    """(3, 3) of a right-handed turn about x, y or z."""
-    c, s = math.cos(angle_rad), math.sin(angle_rad)
-    one, other = (axis + 1) % 3, (axis + 2) % 3
-    matrix = np.eye(3)
-    matrix[[one, other], [one, other]] = c
-    matrix[one, other], matrix[other, one] = -s, s
-    return matrix
 
 
 def _brown_conrady(
