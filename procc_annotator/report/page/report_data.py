@@ -13,7 +13,7 @@ import numpy as np
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.audit import FrameAudit, audit_frame
-from procc_annotator.batch.evaluation import EvaluationRun, run_evaluation
+from procc_annotator.batch.evaluation import run_evaluation
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.frame_sums import ClickNoise, FrameSums, SourceSums, frame_sums
 from procc_annotator.batch.inference import Inference
@@ -284,7 +284,7 @@ def gather_report(
     reported = [_gather(annotations, source, setup, thresholds, work) for source in sources]
     if not any(source.summaries for source in reported):
         raise UsageError(reported[0].failure if reported else "a report needs cameras: --cameras")
-    shown = _without_folders([annotations.path, *(s.cameras.path for s in sources)])
+    shown = without_folders([annotations.path, *(s.cameras.path for s in sources)])
     public = tuple(_public(s, shown) for s in reported)
     return AuditReport(dataset, setup, thresholds, public, chance)
 
@@ -315,24 +315,6 @@ def reported_frame(
     )
 
 
-def _evaluate(
-    annotations: FileSource,
-    source: NamedCameras,
-    setup: EvaluationSetup,
-    thresholds: tuple[float, ...],
-    work: ReportWork,
-) -> EvaluationRun[ReportedFrame]:
-    return run_evaluation(
-        annotations,
-        source.cameras,
-        setup,
-        thresholds,
-        partial(reported_frame, thresholds=thresholds, noise=work.noise),
-        camera_size=work.camera_size,
-        executor=work.executor,
-    )
-
-
 def _gather(
     annotations: FileSource,
     source: NamedCameras,
@@ -342,7 +324,11 @@ def _gather(
 ) -> ReportedSource:
     folder, fmt = source.cameras.path.name, source.cameras.format
     try:
-        run = _evaluate(annotations, source, setup, thresholds, work)
+        digest = partial(reported_frame, thresholds=thresholds, noise=work.noise)
+        run = run_evaluation(
+            annotations, source.cameras, setup, thresholds, digest,
+            camera_size=work.camera_size, executor=work.executor,
+        )  # fmt: skip
     except UsageError as error:
         return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=str(error))
     frames = tuple(work.progress(run, run.total, f"scoring {source.name}"))
@@ -369,7 +355,7 @@ def _gather(
     )
 
 
-def _without_folders(paths: Iterable[Path]) -> Callable[[str], str]:
+def without_folders(paths: Iterable[Path]) -> Callable[[str], str]:
     """Shorten paths in texts to names: a report is sent to people who do not have these folders."""
     known = sorted({str(path) for path in paths}, key=len, reverse=True)
 
