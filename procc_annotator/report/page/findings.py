@@ -121,17 +121,9 @@ def _in_parts(sheet: MetricTable) -> Iterator[str]:
 
 
 def _uncounted(report: AuditReport) -> Iterator[str]:
-    """What a reader must know of the annotations and of methods that are not ranked."""
+    """What a reader must know of annotations, and of methods that are not ranked."""
     for sign, why in MARKS.items():
         names = [s.name for s in report.evaluated if sign in s.marked_name[len(s.name) :]]
         if names:
             yield f"{sign} {', '.join(names)}: {why}; not ranked, bold or tested."
     yield from dict.fromkeys(note for s in report.evaluated for note in s.annotation_notes)
-    ties = {s.name: s.ties(report.tau) for s in report.evaluated if s.ties(report.tau)}
-    if ties:
-        counts = ", ".join(f"{name} {count}" for name, count in ties.items())
-        yield (
-            f"At {report.tau:g} px mirrored labels score as high as those annotated in some frames"
-            f" ({counts}); the official evaluation counts the mirrored ones, errors are those of"
-            " the labels as annotated."
-        )

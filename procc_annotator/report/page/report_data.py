@@ -45,8 +45,7 @@ class NamedCameras:
 
 @dataclass(frozen=True, slots=True)
 class FrameMetrics:
-    """The figures of one frame at one threshold, as `FrameScore` has them; ``tied``: mirrored
-    labels count, and those annotated score as high."""
+    """The figures of one frame at one threshold, as `FrameScore` has them."""
 
     jac: float
     tp: int
@@ -57,13 +56,10 @@ class FrameMetrics:
     recall: float | None
     mean_reprojection_error: float | None
     mean_error: float | None
-    tied: bool = False
 
     @classmethod
     def of(cls, score: FrameScore) -> FrameMetrics:
-        tied = score.read is not score.labelling
-        known = {f.name: getattr(score, f.name) for f in fields(cls) if f.name != "tied"}
-        return cls(**known, tied=tied)
+        return cls(*(getattr(score, one.name) for one in fields(cls)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,10 +139,6 @@ class ReportedSource:
         """A frame's figures; None where it has no score."""
         found = self._by_name.get(frame)
         return None if found is None else found.figures.get(threshold)
-
-    def ties(self, threshold: float) -> int:
-        """Frames in which mirrored labels count on a tie."""
-        return sum(bool(f.figures) and f.figures[threshold].tied for f in self.frames)
 
     @cached_property
     def _by_name(self) -> dict[str, ReportedFrame]:

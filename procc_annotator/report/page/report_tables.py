@@ -25,7 +25,7 @@ from procc_annotator.report.scores.score_files import (
     frame_entry,
     summary_entry,
 )
-from procc_annotator.report.scores.score_tables import left_out_entry, left_out_table
+from procc_annotator.report.scores.score_tables import left_out_entry, left_out_table, tie_notes
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, metric_entry
 from procc_annotator.report.tables.table import (
@@ -69,7 +69,9 @@ def comparison_table(report: AuditReport) -> MetricTable:
             row += [metric.of(source.summaries[tau]), *interval_ends(ends)]
             row += [ranks[tau][place]] if metric is metrics.MEAN_JAC else []
         rows.append(tuple(row))
-    notes = (_rests_on(report), f"In brackets {report.certainty.described}.")
+    summaries = {source.name: source.summaries for source in report.evaluated}
+    brackets = f"In brackets {report.certainty.described}."
+    notes = (_rests_on(report), *tie_notes(summaries), brackets)
     return MetricTable(
         "comparison", "Comparison of methods", tuple(columns), tuple(rows), terms(report), notes,
         _significantly_best(report, columns, shown),
@@ -85,7 +87,7 @@ def without_intervals(sheet: MetricTable) -> MetricTable:
         sheet,
         columns=tuple(sheet.columns[at] for at in kept),
         rows=tuple(tuple(row[at] for at in kept) for row in sheet.rows),
-        notes=sheet.notes[:1],
+        notes=sheet.notes[:-1],
         bold=frozenset((row, kept.index(at)) for row, at in sheet.bold),
     )
 
@@ -167,8 +169,7 @@ def frames_table(report: AuditReport) -> MetricTable:
                 frame.figures[report.tau].mirrored for frame in source.frames if frame.figures
             )
             missing = figures.images - figures.evaluated
-            ties = source.ties(report.tau)
-            counts = (figures.images, figures.evaluated, missing, mirrored, ties)
+            counts = (figures.images, figures.evaluated, missing, mirrored, figures.tied)
         rows.append((source.marked_name, source.folder, *counts, len(source.unmatched)))
     return MetricTable("frames", "Frames behind the figures", columns, tuple(rows))
 
@@ -199,7 +200,8 @@ def classes_section(report: AuditReport) -> MetricTable:
             row += [None if found_here is None else found_here.jac, median.get(index)]
         rows.append(tuple(row))
     title = "Classes, counted in points"
-    return MetricTable("classes", title, tuple(columns), tuple(rows), terms(report))
+    notes = tie_notes({source.name: source.summaries for source in sources})
+    return MetricTable("classes", title, tuple(columns), tuple(rows), terms(report), notes)
 
 
 def _class_medians(source: ReportedSource) -> dict[int, float]:

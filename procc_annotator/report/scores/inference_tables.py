@@ -21,6 +21,7 @@ from procc_annotator.metrics.statistics.significance import (
     minimum_detectable_difference,
     required_frames,
 )
+from procc_annotator.report.scores.score_tables import tie_notes
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.table import (
     TAU,
@@ -82,7 +83,8 @@ def intervals_table(
             for figure in metrics.WITH_INTERVAL:
                 row += [figure.of(summary[tau]), *interval_ends(found[figure.key, tau])]
             rows.append(tuple(row))
-    notes = (f"In brackets {certainty.described}.", *certainty.cautions)
+    ties = tie_notes({s.name: own for s, own in zip(certainty.sources, summaries, strict=True)})
+    notes = (f"In brackets {certainty.described}.", *ties, *certainty.cautions)
     return MetricTable("intervals", "Intervals", tuple(columns), tuple(rows), described, notes)
 
 

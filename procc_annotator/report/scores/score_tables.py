@@ -93,6 +93,27 @@ class WorstFrames:
         return [entry[-1] for entry in sorted(self._heap, reverse=True)]
 
 
+def tie_notes(several: Mapping[str, Mapping[float, SetSummary]]) -> tuple[str, ...]:
+    """A sentence on frames in which mirrored labels count on a tie; nothing without any.
+
+    Args:
+        several: method -> its figures by threshold.
+    """
+    ties = [
+        " ".join(filter(None, (name, f"{summary.tied} at {tau:g} px")))
+        for name, summaries in several.items()
+        for tau, summary in sorted(summaries.items())
+        if summary.tied
+    ]
+    if not ties:
+        return ()
+    return (
+        "Mirrored labels that score as high as those annotated count, as in the official"
+        f" evaluation: frames {', '.join(ties)}. JaC is the same; precision, recall, counts and the"
+        " official error are those of the mirrored labels, the mean error those annotated.",
+    )
+
+
 def summary_table(
     summaries: Mapping[float, SetSummary], described: str, *, title: str = "Summary"
 ) -> MetricTable:
@@ -104,7 +125,9 @@ def summary_table(
         for tau, s in summaries.items()
         if s.mean_reprojection_error != s.mean_error
     ]
-    notes = (f"official error, of mirrored labels on a tie: {', '.join(others)}",) if others else ()
+    notes = tie_notes({"": summaries})
+    if others:
+        notes += (f"official error, of mirrored labels on a tie: {', '.join(others)}",)
     return MetricTable(
         "summary", title, (TAU, *map(metric_column, figures)), rows, described, notes
     )
@@ -147,7 +170,8 @@ def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Metr
         jacs = (None if one is None else one.jac for one in found)
         rows.append((name.strip(), *jacs, *metric_values(others, found[0])))
     title = f"Classes, counted in points (tp, fp, fn at {first:g} px)"
-    return MetricTable("classes", title, columns, tuple(rows), described)
+    ties = tie_notes({"": summaries})
+    return MetricTable("classes", title, columns, tuple(rows), described, ties)
 
 
 def _set_columns(thresholds: Sequence[float]) -> tuple[Column, ...]:
@@ -206,7 +230,8 @@ def evaluations_table(
         )
         for row in rows
     )
-    return MetricTable("evaluations", title, columns, values, common)
+    ties = tie_notes({" ".join(row.names): row.summaries for row in rows})
+    return MetricTable("evaluations", title, columns, values, common, ties)
 
 
 def worst_words(count: int) -> str:
