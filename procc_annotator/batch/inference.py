@@ -117,7 +117,7 @@ class Inference:
             "percentile": "percentile, expanded",
             "bca": "BCa, expanded",
         }[self.method]
-        drawn = f"{self.draws.count:,} draws, seed {self.draws.seed}"
+        drawn = f"{self.draws.count:,} resamples, seed {self.draws.seed}"
         level = f"{100 * self.draws.level:g} % intervals"
         return f"{level} ({kind}); {self.clusters.described}; {drawn}"
 
@@ -130,7 +130,7 @@ class Inference:
         few = bool(said)
         if len(self.compared) < len(self.sources):
             said.append(
-                f"Of {len(self.sources)} sources the {len(self.compared)} with the highest JaC at"
+                f"Of {len(self.sources)} methods the {len(self.compared)} with the highest JaC at"
                 f" {self.thresholds[0]:g} px are compared with each other and ranked."
             )
         if not few and self.method != "t" and count < _FEW:
@@ -141,8 +141,7 @@ class Inference:
         if len(self.sources) > 1 and count < min_clusters_for_significance(self.draws.level):
             said.append(
                 f"Of {pluralize(count, alike)} no p is below {2.0 ** (1 - count):.2g}: no"
-                " difference"
-                " can be beyond chance."
+                " difference can be significant."
             )
         return tuple(said)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from statistics import median
 
 import cv2
@@ -64,6 +64,7 @@ class SetSummary:
         mean_reprojection_error: px, over all points of all images together, under the labelling
             that counts. mean_error: the same under the one that is read, see `FrameScore`.
         per_class: class name -> sums over the evaluated images.
+        tied: images in which mirrored labels count and those annotated score as high.
     """
 
     threshold: float
@@ -79,6 +80,7 @@ class SetSummary:
     mean_reprojection_error: float | None
     mean_error: float | None
     per_class: Mapping[str, ClassSummary] = field(repr=False)
+    tied: int = 0
 
 
 @dataclass(slots=True)
@@ -95,6 +97,7 @@ class _ThresholdSums:
     error_count: int = 0
     read_error_sum: float = 0.0
     read_error_count: int = 0
+    tied: int = 0
 
     def add(self, score: FrameScore) -> None:
         self.jacs.append(score.jac)
@@ -109,17 +112,13 @@ class _ThresholdSums:
         self.error_count += len(score.labelling.all_distances)
         self.read_error_sum += score.read.error_sum
         self.read_error_count += len(score.read.all_distances)
+        self.tied += score.read is not score.labelling
 
     def merge(self, other: _ThresholdSums) -> None:
         self.jacs.extend(other.jacs)
-        self.precision_sum += other.precision_sum
-        self.precision_count += other.precision_count
-        self.recall_sum += other.recall_sum
-        self.recall_count += other.recall_count
-        self.error_sum += other.error_sum
-        self.error_count += other.error_count
-        self.read_error_sum += other.read_error_sum
-        self.read_error_count += other.read_error_count
+        for number in fields(self)[1:]:
+            total = getattr(self, number.name) + getattr(other, number.name)
+            setattr(self, number.name, total)
 
 
 class SetAccumulator:
@@ -214,6 +213,7 @@ class SetAccumulator:
                 for name, row in self._class_index.items()
                 if self._classes[i, row].any()
             },
+            tied=gathered.tied,
         )
 
     def _add_classes(self, labellings: Sequence[Labelling]) -> None:

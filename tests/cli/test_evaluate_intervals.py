@@ -79,7 +79,7 @@ def test_frames_are_clustered_by_a_tag(cli, methods, method):
     found = chance(methods / "out.json")
     note, *cautions = found["intervals"]["notes"]
     assert "3 clusters by match" in note
-    assert "500 draws, seed 3" in note
+    assert "500 resamples, seed 3" in note
     assert "no interval is to be relied on" in cautions[0]
     assert "Of 3 clusters no p is below 0.25" in cautions[1]
     # What frames are clustered by is not what they are broken down by.
@@ -255,7 +255,7 @@ def written(cli, real, tmp_path_factory) -> Path:
 
 def test_bold_is_only_what_is_best_beyond_chance(written):
     tex = (written / "r.tex").read_text()
-    comparison = tex[: tex.index(r"\end{table}")]
+    comparison = tex[: tex.index(r"\end{table")]
     bold = re.findall(r"textbf\{([^}]*)\}", comparison)
     # At 2 px no method is better than the others beyond chance; nor is an error of fewer points.
     assert bold == ["84.94", "93.79", "84.94"]

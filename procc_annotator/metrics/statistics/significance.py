@@ -107,7 +107,7 @@ def min_clusters_for_significance(level: float) -> int:
 
 def corrected_for(several: Sequence[PairedDifference]) -> list[PairedDifference]:
     """The same differences with ``corrected``, and with that ``beyond_chance``, for as many
-    comparisons as these are (Holm).
+    comparisons as are tested of these (Holm).
 
     Args:
         several: of one figure at one threshold, one a pair of methods.
@@ -118,11 +118,8 @@ def corrected_for(several: Sequence[PairedDifference]) -> list[PairedDifference]
     Raises:
         AttributeError: one is no difference.
     """
-    shares = holm_correction([1.0 if one.p is None else one.p for one in several])
-    return [
-        one if one.p is None else replace(one, corrected=share)
-        for one, share in zip(several, shares, strict=True)
-    ]
+    shares = iter(holm_correction([one.p for one in several if one.p is not None]))
+    return [one if one.p is None else replace(one, corrected=next(shares)) for one in several]
 
 
 def holm_correction(shares: Sequence[float]) -> list[float]:

@@ -9,8 +9,8 @@ from procc_annotator.formats.cameras.fit_record import MARKS
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.statistics.significance import PairedDifference
 from procc_annotator.report.page.report_data import AuditReport
-from procc_annotator.report.tables.metrics import JAC_DIFFERENCE, MEAN_ERROR, MEAN_JAC
-from procc_annotator.report.tables.table import Metric, MetricTable
+from procc_annotator.report.tables.metrics import MEAN_ERROR, MEAN_JAC
+from procc_annotator.report.tables.table import MetricTable
 
 _MOST_NAMED = 5
 
@@ -29,7 +29,7 @@ def findings(report: AuditReport) -> list[str]:
         found.append(
             f"Leave-one-element-out at {report.tau:g} px: {better[0]} {100 * better[1]:.2f} %,"
             f" above {worse[0]} {100 * worse[1]:.2f} %"
-            f" {_difference((difference, sign), JAC_DIFFERENCE)}"
+            f" {_ahead(difference, sign)}"
             f" ({pluralize(pair.elements, 'element')} that both determine)."
         )
     return [*found, *_uncounted(report)]
@@ -50,35 +50,27 @@ def _best_at(report: AuditReport, tau: float) -> str:
     value = f"{100 * _jac(certainty, lead, tau):.2f} %{ends}"
     if not ordered[1:]:
         return f"{name} has JaC@{tau:g} {value}."
-    against = {at: _oriented(certainty, lead, at, key, tau) for at in ordered[1:]}
+    found = certainty.differences(key, tau)
     said = "; ".join(
-        f"{certainty.sources[at].name} {_difference(difference, JAC_DIFFERENCE)}"
-        for at, difference in [*against.items()][:_MOST_NAMED]
+        f"{certainty.sources[at].name} "
+        + _ahead(found.get((lead, at)) or found[at, lead], 1 if (lead, at) in found else -1)
+        for at in ordered[1 : _MOST_NAMED + 1]
     )
     if certainty.best(key, tau) == lead:
         return f"{name} is significantly best at {tau:g} px: JaC {value}, ahead of {said}."
     return f"No method is significantly best at {tau:g} px. {name} leads with {value}, over {said}."
 
 
-def _oriented(
-    certainty: Inference, lead: int, other: int, key: str, tau: float
-) -> tuple[PairedDifference, int]:
-    """The difference of two methods, and -1 if it is that of the other minus the leading one."""
-    found = certainty.differences(key, tau)
-    return (found[lead, other], 1) if (lead, other) in found else (found[other, lead], -1)
-
-
-def _difference(found: PairedDifference | tuple[PairedDifference, int], metric: Metric) -> str:
-    one, sign = found if isinstance(found, tuple) else (found, 1)
-    if one.value is None:
+def _ahead(found: PairedDifference, sign: int) -> str:
+    """A difference of shares; sign: -1 to turn it round."""
+    if found.value is None:
         return "(not comparable)"
-    scale, unit = (100, "points") if metric.unit == "%" else (1, metric.unit)
-    by = f"by {sign * scale * one.value:+.2f} {unit}"
-    if one.interval is None or one.corrected is None:
+    by = f"by {sign * 100 * found.value:+.2f} points"
+    if found.interval is None or found.corrected is None:
         return f"{by} (not tested)"
-    low, high = sorted(sign * scale * end for end in (one.interval.low, one.interval.high))
-    word = "" if one.beyond_chance else ", undecided"
-    return f"{by} [{low:+.2f}, {high:+.2f}], p = {one.corrected:.4f}{word}"
+    low, high = sorted(sign * 100 * end for end in (found.interval.low, found.interval.high))
+    word = "" if found.beyond_chance else ", undecided"
+    return f"{by} [{low:+.2f}, {high:+.2f}], p = {found.corrected:.4f}{word}"
 
 
 def _error(report: AuditReport) -> Iterator[str]:
@@ -129,17 +121,9 @@ def _in_parts(sheet: MetricTable) -> Iterator[str]:
 
 
 def _uncounted(report: AuditReport) -> Iterator[str]:
-    """What a reader must know of the annotations and of methods that are not ranked."""
+    """What a reader must know of annotations, and of methods that are not ranked."""
     for sign, why in MARKS.items():
         names = [s.name for s in report.evaluated if sign in s.marked_name[len(s.name) :]]
         if names:
             yield f"{sign} {', '.join(names)}: {why}; not ranked, bold or tested."
     yield from dict.fromkeys(note for s in report.evaluated for note in s.annotation_notes)
-    ties = {s.name: s.ties(report.tau) for s in report.evaluated if s.ties(report.tau)}
-    if ties:
-        counts = ", ".join(f"{name} {count}" for name, count in ties.items())
-        yield (
-            f"At {report.tau:g} px mirrored labels score as high as those annotated in some frames"
-            f" ({counts}); the official evaluation counts the mirrored ones, errors are those of"
-            " the labels as annotated."
-        )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import platform
 from base64 import b64encode
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from hashlib import sha256
@@ -35,7 +35,7 @@ from procc_annotator.report.page.pairs import (
     disagreement_section,
     legacy_section,
 )
-from procc_annotator.report.page.report_data import AuditReport, ReportWork
+from procc_annotator.report.page.report_data import AuditReport, ReportWork, without_folders
 from procc_annotator.report.page.report_tables import (
     classes_section,
     comparison_table,
@@ -213,7 +213,10 @@ def write_report(
         )
     if "html" in kinds and drawing is not None:
         shown = _pictures(report, material, request, drawing, pairs, work)
-        problems = _without_paths([*problems, *shown.pop("problems")], material)
+        folders = [material.annotations.path, *(c.path for c in material.cameras)]
+        folders += [path.parent for path in material.pictures.values()]
+        named = without_folders(folders)
+        problems = [named(problem) for problem in (*problems, *shown.pop("problems"))]
         contents["html"] = _html(
             report, request, problems, pair_tables=tables, **shown,
             **_over_time(material.over_time, steady, drawing.colours),
@@ -397,18 +400,6 @@ def _legacy_pairs(
         return ()
     others = [source.name for source in report.sources if source.name != request.reference]
     return tuple(pairs.compared(request.reference, other) for other in others)
-
-
-def _without_paths(problems: Iterable[str], material: ReportInputs) -> list[str]:
-    """Names instead of paths: the page is sent to people who do not have these folders."""
-    known = {str(material.annotations.path), *(str(c.path) for c in material.cameras)}
-    known |= {str(path.parent) for path in material.pictures.values()}
-    shown = []
-    for problem in problems:
-        for path in sorted(known, key=len, reverse=True):
-            problem = problem.replace(path, Path(path).name or ".")
-        shown.append(problem)
-    return shown
 
 
 def _version(library: str) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.audit import FrameAudit, audit_frame
-from procc_annotator.batch.evaluation import EvaluationRun, run_evaluation
+from procc_annotator.batch.evaluation import run_evaluation
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.frame_sums import ClickNoise, FrameSums, SourceSums, frame_sums
 from procc_annotator.batch.inference import Inference
@@ -45,8 +45,7 @@ class NamedCameras:
 
 @dataclass(frozen=True, slots=True)
 class FrameMetrics:
-    """The figures of one frame at one threshold, as `FrameScore` has them; ``tied``: mirrored
-    labels count, and those annotated score as high."""
+    """The figures of one frame at one threshold, as `FrameScore` has them."""
 
     jac: float
     tp: int
@@ -57,13 +56,10 @@ class FrameMetrics:
     recall: float | None
     mean_reprojection_error: float | None
     mean_error: float | None
-    tied: bool = False
 
     @classmethod
     def of(cls, score: FrameScore) -> FrameMetrics:
-        tied = score.read is not score.labelling
-        known = {f.name: getattr(score, f.name) for f in fields(cls) if f.name != "tied"}
-        return cls(**known, tied=tied)
+        return cls(*(getattr(score, one.name) for one in fields(cls)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,10 +139,6 @@ class ReportedSource:
         """A frame's figures; None where it has no score."""
         found = self._by_name.get(frame)
         return None if found is None else found.figures.get(threshold)
-
-    def ties(self, threshold: float) -> int:
-        """Frames in which mirrored labels count on a tie."""
-        return sum(bool(f.figures) and f.figures[threshold].tied for f in self.frames)
 
     @cached_property
     def _by_name(self) -> dict[str, ReportedFrame]:
@@ -284,7 +276,7 @@ def gather_report(
     reported = [_gather(annotations, source, setup, thresholds, work) for source in sources]
     if not any(source.summaries for source in reported):
         raise UsageError(reported[0].failure if reported else "a report needs cameras: --cameras")
-    shown = _without_folders([annotations.path, *(s.cameras.path for s in sources)])
+    shown = without_folders([annotations.path, *(s.cameras.path for s in sources)])
     public = tuple(_public(s, shown) for s in reported)
     return AuditReport(dataset, setup, thresholds, public, chance)
 
@@ -315,24 +307,6 @@ def reported_frame(
     )
 
 
-def _evaluate(
-    annotations: FileSource,
-    source: NamedCameras,
-    setup: EvaluationSetup,
-    thresholds: tuple[float, ...],
-    work: ReportWork,
-) -> EvaluationRun[ReportedFrame]:
-    return run_evaluation(
-        annotations,
-        source.cameras,
-        setup,
-        thresholds,
-        partial(reported_frame, thresholds=thresholds, noise=work.noise),
-        camera_size=work.camera_size,
-        executor=work.executor,
-    )
-
-
 def _gather(
     annotations: FileSource,
     source: NamedCameras,
@@ -342,7 +316,11 @@ def _gather(
 ) -> ReportedSource:
     folder, fmt = source.cameras.path.name, source.cameras.format
     try:
-        run = _evaluate(annotations, source, setup, thresholds, work)
+        digest = partial(reported_frame, thresholds=thresholds, noise=work.noise)
+        run = run_evaluation(
+            annotations, source.cameras, setup, thresholds, digest,
+            camera_size=work.camera_size, executor=work.executor,
+        )  # fmt: skip
     except UsageError as error:
         return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=str(error))
     frames = tuple(work.progress(run, run.total, f"scoring {source.name}"))
@@ -369,7 +347,7 @@ def _gather(
     )
 
 
-def _without_folders(paths: Iterable[Path]) -> Callable[[str], str]:
+def without_folders(paths: Iterable[Path]) -> Callable[[str], str]:
     """Shorten paths in texts to names: a report is sent to people who do not have these folders."""
     known = sorted({str(path) for path in paths}, key=len, reverse=True)
 

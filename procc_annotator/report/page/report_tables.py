@@ -25,36 +25,9 @@ from procc_annotator.report.scores.score_files import (
     frame_entry,
     summary_entry,
 )
-from procc_annotator.report.scores.score_tables import left_out_entry, left_out_table
+from procc_annotator.report.scores.score_tables import left_out_entry, left_out_table, tie_notes
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, metric_entry
-from procc_annotator.report.tables.metrics import (
-    BIAS_DOWN,
-    BIAS_RIGHT,
-    COMPARED_ON_PAGE,
-    ERROR_POINTS,
-    EVALUATED,
-    IMAGES,
-    IN_SAMPLE,
-    JAC,
-    LARGEST_PX,
-    LEFT_OUT_SCORE,
-    MEAN_ERROR,
-    MEAN_JAC,
-    MEAN_PRECISION,
-    MEAN_RECALL,
-    MEDIAN_PX,
-    MIRRORED,
-    OF_SET,
-    P95_PX,
-    PRECISION,
-    RANK,
-    RECALL,
-    TIED,
-    UNDEFINED,
-    UNMATCHED,
-    WITH_INTERVAL,
-    WITHOUT,
-)
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
@@ -80,23 +53,25 @@ def comparison_table(report: AuditReport) -> MetricTable:
         key = f"{metric.key}{at}" if several.count(metric) > 1 else metric.key
         columns += [metric_column(metric, at, key=key)]
         columns += [replace(end, key=f"{key}{end.key[-4:]}") for end in interval_columns(metric)]
-        if metric is MEAN_JAC:
-            columns.append(defined_count_column(RANK, at, key=f"rank{at}"))
+        if metric is metrics.MEAN_JAC:
+            columns.append(defined_count_column(metrics.RANK, at, key=f"rank{at}"))
     rows = []
     places = {source.name: place for place, source in enumerate(report.evaluated)}
-    ranks = {tau: report.certainty.ranks(MEAN_JAC.key, tau) for tau in report.thresholds}
+    ranks = {tau: report.certainty.ranks(metrics.MEAN_JAC.key, tau) for tau in report.thresholds}
     for source in report.sources:
         row: list[Value] = [source.marked_name, source.model or None]
         for metric, tau, _ in shown:
             place = places.get(source.name)
             if place is None:
-                row += [None] * (4 if metric is MEAN_JAC else 3)
+                row += [None] * (4 if metric is metrics.MEAN_JAC else 3)
                 continue
             ends = report.certainty.intervals[place][metric.key, tau]
             row += [metric.of(source.summaries[tau]), *interval_ends(ends)]
-            row += [ranks[tau][place]] if metric is MEAN_JAC else []
+            row += [ranks[tau][place]] if metric is metrics.MEAN_JAC else []
         rows.append(tuple(row))
-    notes = (_rests_on(report), f"In brackets {report.certainty.described}.")
+    summaries = {source.name: source.summaries for source in report.evaluated}
+    brackets = f"In brackets {report.certainty.described}."
+    notes = (_rests_on(report), *tie_notes(summaries), brackets)
     return MetricTable(
         "comparison", "Comparison of methods", tuple(columns), tuple(rows), terms(report), notes,
         _significantly_best(report, columns, shown),
@@ -105,12 +80,14 @@ def comparison_table(report: AuditReport) -> MetricTable:
 
 def without_intervals(sheet: MetricTable) -> MetricTable:
     """The comparison without intervals and ranks."""
-    kept = [at for at, c in enumerate(sheet.columns) if not c.joined and c.figure is not RANK]
+    kept = [
+        at for at, c in enumerate(sheet.columns) if not c.joined and c.figure is not metrics.RANK
+    ]
     return replace(
         sheet,
         columns=tuple(sheet.columns[at] for at in kept),
         rows=tuple(tuple(row[at] for at in kept) for row in sheet.rows),
-        notes=sheet.notes[:1],
+        notes=sheet.notes[:-1],
         bold=frozenset((row, kept.index(at)) for row, at in sheet.bold),
     )
 
@@ -121,7 +98,7 @@ def _compared_metrics(report: AuditReport) -> list[tuple[Metric, float, str]]:
     at = {"every": taus, "largest": taus[-1:], "leading": [report.tau], "none": [report.tau]}
     return [
         (metric, tau, "" if where == "none" else f"@{shortest_number(tau)}")
-        for metric, where in COMPARED_ON_PAGE
+        for metric, where in metrics.COMPARED_ON_PAGE
         for tau in at[where]
     ]
 
@@ -139,7 +116,7 @@ def _significantly_best(
     for column, (metric, tau, _) in zip(values, shown, strict=True):
         best = report.certainty.best(metric.key, tau)
         # The error of a homography is that of fewer points.
-        fewer = metric is MEAN_ERROR and best is not None and on_ground[best]
+        fewer = metric is metrics.MEAN_ERROR and best is not None and on_ground[best]
         if best is not None and not (fewer and not all(on_ground)):
             found.add((rows[best], column))
     return frozenset(found)
@@ -178,10 +155,10 @@ def frames_table(report: AuditReport) -> MetricTable:
     columns = (
         SOURCE,
         Column("folder", "Folder"),
-        *map(defined_count_column, (IMAGES, EVALUATED, WITHOUT)),
-        defined_count_column(MIRRORED, f"@{report.tau:g}"),
-        defined_count_column(TIED, f"@{report.tau:g}"),
-        defined_count_column(UNMATCHED),
+        *map(defined_count_column, (metrics.IMAGES, metrics.EVALUATED, metrics.WITHOUT)),
+        defined_count_column(metrics.MIRRORED, f"@{report.tau:g}"),
+        defined_count_column(metrics.TIED, f"@{report.tau:g}"),
+        defined_count_column(metrics.UNMATCHED),
     )
     rows = []
     for source in report.sources:
@@ -192,8 +169,7 @@ def frames_table(report: AuditReport) -> MetricTable:
                 frame.figures[report.tau].mirrored for frame in source.frames if frame.figures
             )
             missing = figures.images - figures.evaluated
-            ties = source.ties(report.tau)
-            counts = (figures.images, figures.evaluated, missing, mirrored, ties)
+            counts = (figures.images, figures.evaluated, missing, mirrored, figures.tied)
         rows.append((source.marked_name, source.folder, *counts, len(source.unmatched)))
     return MetricTable("frames", "Frames behind the figures", columns, tuple(rows))
 
@@ -204,11 +180,11 @@ def classes_section(report: AuditReport) -> MetricTable:
     columns = [Column("class", "Class")]
     for source in sources:
         jac = metric_column(
-            JAC, f"@{report.tau:g}", key=f"jac:{source.name}", group=source.marked_name
+            metrics.JAC, f"@{report.tau:g}", key=f"jac:{source.name}", group=source.marked_name
         )
         columns += [
             jac,
-            metric_column(MEDIAN_PX, key=f"median:{source.name}", group=source.marked_name),
+            metric_column(metrics.MEDIAN_PX, key=f"median:{source.name}", group=source.marked_name),
         ]
     titles = element_titles(report.setup.field)
     medians = [_class_medians(source) for source in sources]
@@ -224,7 +200,8 @@ def classes_section(report: AuditReport) -> MetricTable:
             row += [None if found_here is None else found_here.jac, median.get(index)]
         rows.append(tuple(row))
     title = "Classes, counted in points"
-    return MetricTable("classes", title, tuple(columns), tuple(rows), terms(report))
+    notes = tie_notes({source.name: source.summaries for source in sources})
+    return MetricTable("classes", title, tuple(columns), tuple(rows), terms(report), notes)
 
 
 def _class_medians(source: ReportedSource) -> dict[int, float]:
@@ -237,8 +214,17 @@ def errors_table(report: AuditReport) -> MetricTable:
     """Return how the distances of points are spread, and whether they lean to one side."""
     columns = (
         SOURCE,
-        *map(defined_count_column, (ERROR_POINTS, UNDEFINED)),
-        *map(metric_column, (MEDIAN_PX, P95_PX, LARGEST_PX, BIAS_RIGHT, BIAS_DOWN)),
+        *map(defined_count_column, (metrics.ERROR_POINTS, metrics.UNDEFINED)),
+        *map(
+            metric_column,
+            (
+                metrics.MEDIAN_PX,
+                metrics.P95_PX,
+                metrics.LARGEST_PX,
+                metrics.BIAS_RIGHT,
+                metrics.BIAS_DOWN,
+            ),
+        ),
     )
     rows = []
     for source in report.evaluated:
@@ -258,7 +244,7 @@ def every_frame_table(report: AuditReport) -> MetricTable:
     columns = (
         Column("frame", "Frame"),
         *(
-            metric_column(JAC, key=f"jac:{source.name}", heading=source.marked_name)
+            metric_column(metrics.JAC, key=f"jac:{source.name}", heading=source.marked_name)
             for source in sources
         ),
     )
@@ -295,16 +281,16 @@ _COLUMNS = (
     Column("class"),
     count_column("images"),
     count_column("evaluated"),
-    *map(metric_column, OF_SET),
+    *map(metric_column, metrics.OF_SET),
     *(count_column(count.key) for count in COUNTS),
     Column("field"),
-    *(end for figure in WITH_INTERVAL for end in interval_columns(figure)),
+    *(end for figure in metrics.WITH_INTERVAL for end in interval_columns(figure)),
     count_column("rank"),
     Column("clusters"),
     *map(count_column, FITTED_KEYS),  # of the cameras: so many
     count_column("held_out_elements"),
-    metric_column(LEFT_OUT_SCORE),
-    metric_column(IN_SAMPLE),
+    metric_column(metrics.LEFT_OUT_SCORE),
+    metric_column(metrics.IN_SAMPLE),
 )
 
 
@@ -365,7 +351,7 @@ def report_csv(report: AuditReport) -> bytes:
     """One row a source and threshold, then one for each of its classes (counted in points)."""
     setup, certainty = report.setup, report.certainty
     found: list[dict[str, Value]] = []
-    ranks = {tau: certainty.ranks(MEAN_JAC.key, tau) for tau in report.thresholds}
+    ranks = {tau: certainty.ranks(metrics.MEAN_JAC.key, tau) for tau in report.thresholds}
     for place, source in enumerate(report.evaluated):
         ends = certainty.intervals[place]
         for tau, summary in source.summaries.items():
@@ -388,11 +374,11 @@ def report_csv(report: AuditReport) -> bytes:
                 "held_out_elements": len(source.held_out.elements) or None,
             }
             shares = source.held_out.shares(tau) or (None, None)
-            of_set |= zip((LEFT_OUT_SCORE.key, IN_SAMPLE.key), shares, strict=True)
-            for metric in WITH_INTERVAL:
+            of_set |= zip((metrics.LEFT_OUT_SCORE.key, metrics.IN_SAMPLE.key), shares, strict=True)
+            for metric in metrics.WITH_INTERVAL:
                 keys = (column.key for column in interval_columns(metric))
                 of_set |= zip(keys, interval_ends(ends[metric.key, tau]), strict=True)
-            found.append(terms | of_set | metric_entry(OF_SET, summary))
+            found.append(terms | of_set | metric_entry(metrics.OF_SET, summary))
             for name, of_class in summary.per_class.items():
                 own = {metric.key: one.of(of_class) for metric, one in _OF_CLASS.items()}
                 found.append(terms | {"class": name} | own | metric_entry(COUNTS, of_class))
@@ -400,4 +386,8 @@ def report_csv(report: AuditReport) -> bytes:
     return csv_bytes(MetricTable("report", "", _COLUMNS, rows))
 
 
-_OF_CLASS = {MEAN_JAC: JAC, MEAN_PRECISION: PRECISION, MEAN_RECALL: RECALL}
+_OF_CLASS = {
+    metrics.MEAN_JAC: metrics.JAC,
+    metrics.MEAN_PRECISION: metrics.PRECISION,
+    metrics.MEAN_RECALL: metrics.RECALL,
+}

@@ -21,29 +21,8 @@ from procc_annotator.metrics.statistics.significance import (
     minimum_detectable_difference,
     required_frames,
 )
-from procc_annotator.report.tables.metrics import (
-    BEST_IN,
-    CLICK_DEVIATION,
-    CLICK_SHARE,
-    CLICKED_JAC,
-    DIFFERENCES,
-    DISTINGUISHABLE_FROM,
-    FRAMES,
-    FRAMES_FOR,
-    FRAMES_ONLY_A,
-    FRAMES_ONLY_B,
-    HELD_OUT_DIFFERENCE,
-    HELD_OUT_ELEMENTS,
-    JAC_DIFFERENCE,
-    LEFT_OUT_SCORE,
-    MEAN_JAC,
-    MINIMUM_DETECTABLE_DIFFERENCE,
-    P_CORRECTED,
-    P_VALUE,
-    RANK,
-    SHARED,
-    WITH_INTERVAL,
-)
+from procc_annotator.report.scores.score_tables import tie_notes
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
@@ -92,8 +71,8 @@ def intervals_table(
     certainty: Inference, summaries: Sequence[Mapping[float, SetSummary]], described: str
 ) -> MetricTable:
     """Every mean of every source with its interval."""
-    columns = [Column("source", "source"), TAU]
-    for figure in WITH_INTERVAL:
+    columns = [Column("source", "method"), TAU]
+    for figure in metrics.WITH_INTERVAL:
         columns += [metric_column(figure), *interval_columns(figure)]
     rows = []
     for source, found, summary in zip(
@@ -101,10 +80,11 @@ def intervals_table(
     ):
         for tau in certainty.thresholds:
             row: list[Value] = [source.marked_name, tau]
-            for figure in WITH_INTERVAL:
+            for figure in metrics.WITH_INTERVAL:
                 row += [figure.of(summary[tau]), *interval_ends(found[figure.key, tau])]
             rows.append(tuple(row))
-    notes = (f"In brackets {certainty.described}.", *certainty.cautions)
+    ties = tie_notes({s.name: own for s, own in zip(certainty.sources, summaries, strict=True)})
+    notes = (f"In brackets {certainty.described}.", *ties, *certainty.cautions)
     return MetricTable("intervals", "Intervals", tuple(columns), tuple(rows), described, notes)
 
 
@@ -120,14 +100,14 @@ def differences_table(certainty: Inference, described: str) -> MetricTable:
     """Every two sources on the frames both have, at every threshold. The verdict stands before the
     figures, where a narrow page shows it."""
     columns = [TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "verdict (JaC)")]
-    for figure, _ in DIFFERENCES:
+    for figure, _ in metrics.DIFFERENCES:
         points = figure.unit.replace("%", "points")
         heading = f"{figure.title}, {points}"
         columns += [metric_column(figure, heading=heading), *interval_columns(figure)]
     columns += [
-        metric_column(P_VALUE),
-        metric_column(P_CORRECTED),
-        *map(defined_count_column, (SHARED, FRAMES_ONLY_A, FRAMES_ONLY_B)),
+        metric_column(metrics.P_VALUE),
+        metric_column(metrics.P_CORRECTED),
+        *map(defined_count_column, (metrics.SHARED, metrics.FRAMES_ONLY_A, metrics.FRAMES_ONLY_B)),
     ]
     rows: list[tuple[Value, ...]] = []
     bold: set[tuple[int, int]] = set()
@@ -136,7 +116,7 @@ def differences_table(certainty: Inference, described: str) -> MetricTable:
             names = (certainty.sources[k].marked_name for k in (pair.a, pair.b))
             jac = pair.differences["mean_jac", tau]
             row: list[Value] = [tau, *names, verdict(jac)]
-            for _, key in DIFFERENCES:
+            for _, key in metrics.DIFFERENCES:
                 found = pair.differences[key, tau]
                 if found.beyond_chance and certainty.can_be_bold(pair.a, pair.b, key):
                     bold.add((len(rows), len(row)))
@@ -145,7 +125,7 @@ def differences_table(certainty: Inference, described: str) -> MetricTable:
             rows.append((*row, jac.p, jac.corrected, *frames))
     notes = (
         f"In brackets {certainty.described}.",
-        "JaC and mean error are compared on the frames both sources have; frames that only one has"
+        "JaC and mean error are compared on the frames both methods have; frames that only one has"
         " count for completeness and the final score. Bold: significant, between methods"
         " whose errors are of the same points. In-sample differences of fits are not tested.",
         *certainty.cautions,
@@ -160,11 +140,11 @@ def held_out_pairs_table(certainty: Inference, described: str) -> MetricTable:
     """Every two fits on the elements that both determine from the others, at every threshold."""
     columns = (
         TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "verdict"),
-        metric_column(LEFT_OUT_SCORE, key="held_out_a", heading="A held out %"),
-        metric_column(LEFT_OUT_SCORE, key="held_out_b", heading="B held out %"),
-        metric_column(HELD_OUT_DIFFERENCE), *interval_columns(HELD_OUT_DIFFERENCE),
-        metric_column(P_VALUE), metric_column(P_CORRECTED),
-        defined_count_column(HELD_OUT_ELEMENTS), defined_count_column(FRAMES),
+        metric_column(metrics.LEFT_OUT_SCORE, key="held_out_a", heading="A held out %"),
+        metric_column(metrics.LEFT_OUT_SCORE, key="held_out_b", heading="B held out %"),
+        metric_column(metrics.HELD_OUT_DIFFERENCE), *interval_columns(metrics.HELD_OUT_DIFFERENCE),
+        metric_column(metrics.P_VALUE), metric_column(metrics.P_CORRECTED),
+        defined_count_column(metrics.HELD_OUT_ELEMENTS), defined_count_column(metrics.FRAMES),
     )  # fmt: skip
     names = [source.name for source in certainty.sources]
     rows = tuple(
@@ -198,11 +178,11 @@ def verdict(found: PairedDifference) -> str:
 
 def ranks_table(certainty: Inference, described: str) -> MetricTable:
     """The place of each source at each threshold, shared where the data cannot say."""
-    columns = [Column("source", "source")]
+    columns = [Column("source", "method")]
     for tau in certainty.thresholds:
         group = f"at {tau:g} px"
-        columns.append(defined_count_column(RANK, key=f"rank_{tau:g}", group=group))
-        columns.append(metric_column(BEST_IN, key=f"best_in_{tau:g}", group=group))
+        columns.append(defined_count_column(metrics.RANK, key=f"rank_{tau:g}", group=group))
+        columns.append(metric_column(metrics.BEST_IN, key=f"best_in_{tau:g}", group=group))
     places = {tau: certainty.ranks("mean_jac", tau) for tau in certainty.thresholds}
     chances = certainty.chances_of_being_best
     rows = tuple(
@@ -212,22 +192,23 @@ def ranks_table(certainty: Inference, described: str) -> MetricTable:
         )
         for n, source in enumerate(certainty.sources)
     )
-    note = f"By JaC. Rank: {RANK.definition[0].lower()}{RANK.definition[1:]} {BEST_IN.definition}"
-    return MetricTable("ranks", "Ranks", tuple(columns), rows, described, (note,))
+    notes = (f"By JaC. {metrics.RANK.definition}", metrics.BEST_IN.definition)
+    return MetricTable("ranks", "Ranks", tuple(columns), rows, described, notes)
 
 
 def power_table(certainty: Inference, described: str) -> MetricTable:
     """Return how many frames a set like this one needs to find differences of 1, 2 and 5 points of
     JaC; of a single source, to know it to 1, 2 and 5 points."""
-    columns = [TAU, Column("a", "A"), Column("b", "B"), defined_count_column(FRAMES)]
+    columns = [TAU, Column("a", "A"), Column("b", "B"), defined_count_column(metrics.FRAMES)]
     columns.append(
         metric_column(
-            MINIMUM_DETECTABLE_DIFFERENCE, heading=f"{MINIMUM_DETECTABLE_DIFFERENCE.title}, points"
+            metrics.MINIMUM_DETECTABLE_DIFFERENCE,
+            heading=f"{metrics.MINIMUM_DETECTABLE_DIFFERENCE.title}, points",
         )
     )
     columns += [
         defined_count_column(
-            FRAMES_FOR,
+            metrics.FRAMES_FOR,
             key=f"frames_for_{100 * p:g}",
             heading=f"{100 * p:g}",
             group="frames for points",
@@ -249,7 +230,7 @@ def power_table(certainty: Inference, described: str) -> MetricTable:
             rows.append((tau, names[0], None, frames, *_needed(certainty, *known, 0.5)))
     alike = f"if more come in clusters like these ({certainty.clusters.described})"
     note = (
-        f"The frames in which a true difference is beyond chance in {100 * _POWER:g} of 100 sets,"
+        f"The frames in which a true difference is significant in {100 * _POWER:g} of 100 sets,"
         f" {alike}."
         if certainty.pairs
         else f"The frames of which JaC is known to plus or minus so many points, {alike}."
@@ -283,8 +264,8 @@ def _needed(
 
 def curves_table(certainty: Inference, described: str) -> MetricTable:
     """The difference of every two sources over tau, with a band for all of tau at once."""
-    columns = [Column("a", "A"), Column("b", "B"), TAU, metric_column(JAC_DIFFERENCE)]
-    columns += interval_columns(JAC_DIFFERENCE)
+    columns = [Column("a", "A"), Column("b", "B"), TAU, metric_column(metrics.JAC_DIFFERENCE)]
+    columns += interval_columns(metrics.JAC_DIFFERENCE)
     rows: list[tuple[Value, ...]] = []
     for pair in certainty.pairs:
         band = certainty.curve_of_difference(pair.a, pair.b)
@@ -345,8 +326,13 @@ def strata_metrics_table(
 ) -> MetricTable:
     """Every figure of every source in each part at every threshold, with intervals."""
     by = parts[0].by
-    columns = [Column("value", by), Column("source", "source"), TAU, defined_count_column(FRAMES)]
-    for figure in WITH_INTERVAL:
+    columns = [
+        Column("value", by),
+        Column("source", "method"),
+        TAU,
+        defined_count_column(metrics.FRAMES),
+    ]
+    for figure in metrics.WITH_INTERVAL:
         columns += [metric_column(figure), *interval_columns(figure)]
     rows: list[tuple[Value, ...]] = []
     begins = []
@@ -354,7 +340,7 @@ def strata_metrics_table(
         begins.append(len(rows))
         frames = len(part.certainty.sources[0].frames)
         for source, ends in zip(part.certainty.sources, part.certainty.intervals, strict=True):
-            sums = {figure.key: source.ratios(figure.key) for figure in WITH_INTERVAL}
+            sums = {figure.key: source.ratios(figure.key) for figure in metrics.WITH_INTERVAL}
             for at, tau in enumerate(certainty.thresholds):
                 row: list[Value] = [part.value or "(none)", source.marked_name, tau, frames]
                 for key, ratios in sums.items():
@@ -377,21 +363,21 @@ def strata_differences_table(
     by = parts[0].by
     names = [source.marked_name for source in certainty.sources]
     columns = [Column("value", by), TAU, Column("a", "A"), Column("b", "B")]
-    for figure, key in DIFFERENCES:
+    for figure, key in metrics.DIFFERENCES:
         columns += [
             metric_column(figure),
             *interval_columns(figure),
-            defined_count_column(FRAMES, key=f"{key}_frames"),
+            defined_count_column(metrics.FRAMES, key=f"{key}_frames"),
         ]
         columns += [
             metric_column(f, key=f"{key}_{f.key}", group=figure.title)
-            for f in (P_VALUE, P_CORRECTED)
+            for f in (metrics.P_VALUE, metrics.P_CORRECTED)
         ]
     rows: list[tuple[Value, ...]] = []
     for part, tau in product(parts, certainty.thresholds):
         for pair in part.differences["mean_jac", tau]:
             row: list[Value] = [part.value or "(none)", tau, names[pair[0]], names[pair[1]]]
-            for _, key in DIFFERENCES:
+            for _, key in metrics.DIFFERENCES:
                 found = part.differences[key, tau][pair]
                 row += [found.value, *interval_ends(found.interval), found.frames]
                 row += [found.p, found.corrected]
@@ -408,13 +394,15 @@ def strata_differences_table(
 
 def _columns(certainty: Inference, by: str, tau: float) -> tuple[Column, ...]:
     names = [source.marked_name for source in certainty.sources]
-    columns = [Column("value", by), defined_count_column(FRAMES)]
+    columns = [Column("value", by), defined_count_column(metrics.FRAMES)]
     for name in names:
-        columns += _with_interval(MEAN_JAC, f"JaC@{tau:g} %", name)
+        columns += _with_interval(metrics.MEAN_JAC, f"JaC@{tau:g} %", name)
     for pair in certainty.pairs:
         less = f"{names[pair.a]} − {names[pair.b]}"
-        columns += _with_interval(JAC_DIFFERENCE, "points", less)
-        columns.append(metric_column(P_CORRECTED, key=f"{P_CORRECTED.key} {less}", group=less))
+        columns += _with_interval(metrics.JAC_DIFFERENCE, "points", less)
+        columns.append(
+            metric_column(metrics.P_CORRECTED, key=f"{metrics.P_CORRECTED.key} {less}", group=less)
+        )
     return tuple(columns)
 
 
@@ -445,8 +433,13 @@ def annotation_noise_tables(
     certainty: Inference, noise: ClickNoise, described: str
 ) -> list[MetricTable]:
     """Return what the clicks leave open: of every source, and of every two."""
-    columns = [Column("source", "source"), TAU, metric_column(MEAN_JAC), metric_column(CLICKED_JAC)]
-    columns += [metric_column(CLICK_DEVIATION), metric_column(CLICK_SHARE)]
+    columns = [
+        Column("source", "method"),
+        TAU,
+        metric_column(metrics.MEAN_JAC),
+        metric_column(metrics.CLICKED_JAC),
+    ]
+    columns += [metric_column(metrics.CLICK_DEVIATION), metric_column(metrics.CLICK_SHARE)]
     rows: list[tuple[Value, ...]] = []
     for place, source in enumerate(certainty.sources):
         spread, own = click_noise_spread(certainty, place), source.ratios("mean_jac")
@@ -454,7 +447,7 @@ def annotation_noise_tables(
             whole = float(own.denominators[:, at].sum())
             jac = _known(float(own.parts[:, at].sum()) / whole) if whole else None
             rows.append((source.marked_name, tau, jac, *_of_clicks(spread, at)))
-    note = f"{noise.described} {CLICK_SHARE.definition}"
+    note = f"{noise.described} {metrics.CLICK_SHARE.definition}"
     sheets = [
         MetricTable(
             "clicks", "What the clicks leave open", tuple(columns), tuple(rows), described, (note,)
@@ -470,11 +463,11 @@ def _pairs_table(certainty: Inference, note: str, described: str) -> MetricTable
         TAU,
         Column("a", "A"),
         Column("b", "B"),
-        metric_column(JAC_DIFFERENCE, heading="A − B, points"),
-        metric_column(JAC_DIFFERENCE, key="moved_difference", heading="points moved"),
-        metric_column(CLICK_DEVIATION),
-        metric_column(CLICK_SHARE),
-        metric_column(DISTINGUISHABLE_FROM),
+        metric_column(metrics.JAC_DIFFERENCE, heading="A − B, points"),
+        metric_column(metrics.JAC_DIFFERENCE, key="moved_difference", heading="points moved"),
+        metric_column(metrics.CLICK_DEVIATION),
+        metric_column(metrics.CLICK_SHARE),
+        metric_column(metrics.DISTINGUISHABLE_FROM),
     )
     rows: list[tuple[Value, ...]] = []
     every = pairs_under_click_noise(certainty)
@@ -485,7 +478,7 @@ def _pairs_table(certainty: Inference, note: str, described: str) -> MetricTable
             rows.append(
                 (tau, *names, value, *_of_clicks(clicked.spread, at), clicked.distinguishable_from)
             )
-    notes = (note, DISTINGUISHABLE_FROM.definition)
+    notes = (note, metrics.DISTINGUISHABLE_FROM.definition)
     title = "Differences under other clicks"
     return MetricTable("clicked_differences", title, columns, tuple(rows), described, notes)
 

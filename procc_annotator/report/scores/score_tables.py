@@ -15,22 +15,7 @@ from procc_annotator.metrics.score import FrameScore
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.scores.score_files import COUNTS
-from procc_annotator.report.tables.metrics import (
-    COMPLETENESS,
-    ERROR_COUNTED,
-    FRAME_ERROR,
-    FRAMES,
-    HELD_OUT_ELEMENTS,
-    IN_SAMPLE,
-    JAC,
-    LARGEST_PX,
-    LEFT_OUT_SCORE,
-    MEAN_ERROR,
-    MEAN_JAC,
-    OF_SET,
-    PRECISION,
-    RECALL,
-)
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
@@ -108,18 +93,41 @@ class WorstFrames:
         return [entry[-1] for entry in sorted(self._heap, reverse=True)]
 
 
+def tie_notes(several: Mapping[str, Mapping[float, SetSummary]]) -> tuple[str, ...]:
+    """A sentence on frames in which mirrored labels count on a tie; nothing without any.
+
+    Args:
+        several: method -> its figures by threshold.
+    """
+    ties = [
+        " ".join(filter(None, (name, f"{summary.tied} at {tau:g} px")))
+        for name, summaries in several.items()
+        for tau, summary in sorted(summaries.items())
+        if summary.tied
+    ]
+    if not ties:
+        return ()
+    return (
+        "Mirrored labels that score as high as those annotated count, as in the official"
+        f" evaluation: frames {', '.join(ties)}. JaC is the same; precision, recall, counts and the"
+        " official error are those of the mirrored labels, the mean error those annotated.",
+    )
+
+
 def summary_table(
     summaries: Mapping[float, SetSummary], described: str, *, title: str = "Summary"
 ) -> MetricTable:
     """One row a threshold; below it the official error, where that is another one."""
-    figures = [figure for figure in OF_SET if figure is not ERROR_COUNTED]
+    figures = [figure for figure in metrics.OF_SET if figure is not metrics.ERROR_COUNTED]
     rows = tuple((tau, *metric_values(figures, s)) for tau, s in summaries.items())
     others = [
         f"{pixels(s.mean_reprojection_error)} px at tau {tau:g}"
         for tau, s in summaries.items()
         if s.mean_reprojection_error != s.mean_error
     ]
-    notes = (f"official error, of mirrored labels on a tie: {', '.join(others)}",) if others else ()
+    notes = tie_notes({"": summaries})
+    if others:
+        notes += (f"official error, of mirrored labels on a tie: {', '.join(others)}",)
     return MetricTable(
         "summary", title, (TAU, *map(metric_column, figures)), rows, described, notes
     )
@@ -129,11 +137,11 @@ def worst_frames_table(rows: Sequence[FrameRow], threshold: float, described: st
     """The frames to look at first."""
     columns = (
         Column("frame", "frame"),
-        metric_column(JAC),
+        metric_column(metrics.JAC),
         *map(metric_column, COUNTS),
-        metric_column(FRAME_ERROR),
+        metric_column(metrics.FRAME_ERROR),
         Column("element", "farthest element"),
-        metric_column(LARGEST_PX, heading="px"),
+        metric_column(metrics.LARGEST_PX, heading="px"),
         Column("labels", "labels"),
     )
     values = tuple(
@@ -150,10 +158,10 @@ def worst_frames_table(rows: Sequence[FrameRow], threshold: float, described: st
 def classes_table(summaries: Mapping[float, SetSummary], described: str) -> MetricTable:
     """Per-class figures, counted in points; JaC at every threshold, the rest at the first one."""
     first = next(iter(summaries))
-    others = (PRECISION, RECALL, *COUNTS)
+    others = (metrics.PRECISION, metrics.RECALL, *COUNTS)
     columns = (
         Column("class", "class"),
-        *(metric_column(JAC, f"@{tau:g}") for tau in summaries),
+        *(metric_column(metrics.JAC, f"@{tau:g}") for tau in summaries),
         *map(metric_column, others),
     )
     rows = []
@@ -162,15 +170,16 @@ def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Metr
         jacs = (None if one is None else one.jac for one in found)
         rows.append((name.strip(), *jacs, *metric_values(others, found[0])))
     title = f"Classes, counted in points (tp, fp, fn at {first:g} px)"
-    return MetricTable("classes", title, columns, tuple(rows), described)
+    ties = tie_notes({"": summaries})
+    return MetricTable("classes", title, columns, tuple(rows), described, ties)
 
 
 def _set_columns(thresholds: Sequence[float]) -> tuple[Column, ...]:
     # At the largest threshold it is rarest that mirrored labels score higher by chance.
-    error = metric_column(MEAN_ERROR, f"@{max(thresholds):g}" if thresholds else "")
+    error = metric_column(metrics.MEAN_ERROR, f"@{max(thresholds):g}" if thresholds else "")
     return (
-        metric_column(COMPLETENESS),
-        *(metric_column(MEAN_JAC, f"@{tau:g}") for tau in thresholds),
+        metric_column(metrics.COMPLETENESS),
+        *(metric_column(metrics.MEAN_JAC, f"@{tau:g}") for tau in thresholds),
         error,
     )
 
@@ -221,7 +230,8 @@ def evaluations_table(
         )
         for row in rows
     )
-    return MetricTable("evaluations", title, columns, values, common)
+    ties = tie_notes({" ".join(row.names): row.summaries for row in rows})
+    return MetricTable("evaluations", title, columns, values, common, ties)
 
 
 def worst_words(count: int) -> str:
@@ -231,12 +241,12 @@ def worst_words(count: int) -> str:
 
 def percent_text(value: float | None) -> str:
     """A share as a percentage with two decimals; a dash where it is undefined."""
-    return JAC.text(value)
+    return metrics.JAC.text(value)
 
 
 def pixels(value: float | None) -> str:
     """A distance with two decimals; a dash where it is undefined."""
-    return MEAN_ERROR.text(value)
+    return metrics.MEAN_ERROR.text(value)
 
 
 LEFT_OUT_METHOD = "calibrate --leave-one-out"
@@ -268,14 +278,14 @@ def left_out_table(
     if not fits:
         return None
     columns = [
-        Column("source", "Source"),
-        defined_count_column(HELD_OUT_ELEMENTS),
-        defined_count_column(FRAMES),
+        Column("source", "Method"),
+        defined_count_column(metrics.HELD_OUT_ELEMENTS),
+        defined_count_column(metrics.FRAMES),
     ]
     columns += [
         metric_column(figure, f"@{tau:g}", key=f"{figure.key}@{shortest_number(tau)}")
         for tau in thresholds
-        for figure in (LEFT_OUT_SCORE, IN_SAMPLE)
+        for figure in (metrics.LEFT_OUT_SCORE, metrics.IN_SAMPLE)
     ]
     rows = []
     for name, source in fits:
@@ -306,7 +316,7 @@ def left_out_entry(source: MethodWithLeftOut, thresholds: Sequence[float]) -> di
         "frames": figures.frames,
         "elements": len(figures.elements),
         "results": {
-            tau: {LEFT_OUT_SCORE.key: found[0], IN_SAMPLE.key: found[1]}
+            tau: {metrics.LEFT_OUT_SCORE.key: found[0], metrics.IN_SAMPLE.key: found[1]}
             for tau, found in shares.items()
             if found is not None
         },

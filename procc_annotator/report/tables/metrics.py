@@ -330,12 +330,12 @@ P_CORRECTED = Metric(
 )  # fmt: skip
 BEST_IN = Metric(
     "best_in", "best in", "%", digits=1,
-    definition="The share of the sets drawn in which the source has the highest mean JaC, on the"
-    " frames all sources have; none where these are fewer than two clusters.",
+    definition="The share of bootstrap resamples in which the method has the highest mean JaC, on"
+    " the frames all methods have; none where these are fewer than two clusters.",
 )  # fmt: skip
 MINIMUM_DETECTABLE_DIFFERENCE = Metric(
-    "least_difference", "least difference found", "%", digits=2,
-    definition="The true difference that sets like this one find beyond chance in 80 of 100 cases.",
+    "least_difference", "minimum detectable difference", "%", digits=2,
+    definition="The true difference that is significant in 80 of 100 sets like this one.",
 )  # fmt: skip
 CLICKED_JAC = Metric(
     "moved_jac", "JaC, points moved", "%",
@@ -400,8 +400,8 @@ HAVING = _count(
 )  # fmt: skip
 RANK = _count(
     "rank", "rank",
-    "One more than the sources that are better beyond chance: those that the data cannot tell apart"
-    " share it.",
+    "One more than the methods that are significantly better; those that the data cannot tell"
+    " apart share it.",
 )  # fmt: skip
 FRAMES_FOR = _count(
     "frames_for", "frames for points",

@@ -272,7 +272,7 @@ def test_of_many_sources_those_that_lead_are_compared():
     assert len(found.pairs) == MAX_COMPARED * (MAX_COMPARED - 1) // 2
     ranks = found.ranks("mean_jac", 5.0)
     assert {at for at, rank in enumerate(ranks) if rank is None} == worst
-    assert "Of 35 sources the 30 with the highest JaC at" in " ".join(found.cautions)
+    assert "Of 35 methods the 30 with the highest JaC at" in " ".join(found.cautions)
     halves = strata(found, "half", ["a", "b"] * 6)
     assert {part.certainty.compared for part in halves} == {found.compared}
     fits = replace(sources[0], frames=tuple(replace(f, fitted=ANOTHER) for f in sources[0].frames))
