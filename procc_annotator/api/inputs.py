@@ -15,7 +15,6 @@ from procc_annotator.camera.base import (
     Camera,
     CameraOrProjections,
     ElementProjections,
-    scaled_camera,
 )
 from procc_annotator.camera.custom import validated_camera
 from procc_annotator.camera.models import model_name
@@ -79,21 +78,13 @@ def camera_at_size(
     Raises:
         UsageError: it is no camera, a fit that failed, or would be taken for one of another field.
     """
-    if isinstance(camera, LoadedCamera):
-        if problem := field_mismatch(camera.assumed_field, field):
-            raise UsageError(f"{name}: {problem} ({NAME_THE_FORMAT})")
-        loaded = fit_to_size(camera, size, camera_size)[0]
-        model = model_name(loaded, camera.model, size)
-        return CameraInPixels(validated_camera(loaded, name), model, camera.fitted_on)
-    if isinstance(camera, FitResult):
-        if camera.camera is None:
-            raise UsageError(f"there is no camera to evaluate, the fit failed: {camera.failure}")
-        of_fit = camera.camera
-        at = of_fit if camera.size == size else scaled_camera(of_fit, camera.size, size)
-        return CameraInPixels(at, camera.model, camera.fitted_on)
-    own = as_camera(camera, name)
-    at = own if camera_size in (None, size) else scaled_camera(own, camera_size, size)
-    return CameraInPixels(at, str(getattr(own, "model", type(own).__name__)))
+    loaded = loaded_camera(camera, name)
+    if problem := field_mismatch(loaded.assumed_field, field):
+        raise UsageError(f"{name}: {problem} ({NAME_THE_FORMAT})")
+    used = validated_camera(fit_to_size(loaded, size, camera_size)[0], name)
+    read = isinstance(camera, LoadedCamera)
+    model = model_name(used, loaded.model, size) if read else loaded.model
+    return CameraInPixels(used, model, loaded.fitted_on)
 
 
 def evaluated_camera(

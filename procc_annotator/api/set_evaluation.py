@@ -353,7 +353,7 @@ def evaluate_set(
     for name, annotation in annotations.items():
         camera, used = by_frame.get(name), None
         if camera is not None:
-            used = evaluated_camera(camera, setup, own, f"camera of {name}")
+            used = evaluated_camera(camera, setup.of_frame(name), own, f"camera of {name}")
         frames[name] = as_annotation(annotation), used
     if frames and by_frame and not any(by_frame.get(name) for name in frames):
         theirs, ours = next(iter(by_frame)), next(iter(frames))

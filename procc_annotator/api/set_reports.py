@@ -108,6 +108,10 @@ def _opened(
     written to a folder that is removed afterwards."""
     if not isinstance(methods, Mapping):
         raise UsageError(f"methods: expected them by name, found {kind_of(methods)}")
+    if unknown := options.keys() - SetOptions.__annotations__.keys():
+        raise UsageError(
+            f"no option {min(unknown)!r}; there are {', '.join(SetOptions.__annotations__)}"
+        )
     field = options.get("field")
     with ExitStack() as opened:
         folder = Path(opened.enter_context(TemporaryDirectory(prefix="procc-")))

@@ -394,7 +394,7 @@ class ScoreChunk(AnnotationTask, Generic[T]):
             )
         loaded, place = cameras.read(name, setup.field), cameras.display(name)
         camera, scaled = fit_to_size(loaded, setup.size, self.camera_size, setup.unsized)
-        if problem := projections_error(camera, setup):
+        if problem := projections_error(camera, setup.of_frame(name)):
             raise CameraError(place, problem)
         return FrameInput(
             name,

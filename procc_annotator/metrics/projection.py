@@ -280,13 +280,13 @@ def complete_projections(
         {str(names[row]): whole.pieces_of(row) for row in whole.detected.nonzero()[0].tolist()},
         {str(names[row]): px[tables.element_of_sample == row] for row in rows.tolist()},
         projects_only_ground(camera),
-        setup.field_sha256,
+        of_frame.field_sha256,
     )
 
 
 def projections_error(camera: CameraOrProjections, setup: EvaluationSetup) -> str:
-    """Why projections cannot be judged: of another field, or by a protocol that measures beyond the
-    picture; empty if they can."""
+    """Why projections of a frame cannot be judged: they are of another field, or the protocol
+    measures beyond the picture; empty if they can. The setup is that of the frame."""
     if not isinstance(camera, ElementProjections):
         return ""
     if camera.field_sha256 and camera.field_sha256 != setup.field_sha256:
@@ -294,6 +294,11 @@ def projections_error(camera: CameraOrProjections, setup: EvaluationSetup) -> st
             "is the projection of another field, or of other dimensions: expected"
             f" {setup.field.described}; write it again with save_projection(..., field=...)"
         )
+    rows = np.bincount(setup.tables.element_of_sample, minlength=len(setup.tables.names)).tolist()
+    count = dict(zip(setup.tables.names, rows, strict=True))
+    for name, px in (camera.samples or {}).items():
+        if len(px) != count.get(name):
+            return f"holds {len(px)} samples of {name!r}, expected {count.get(name, 0)}"
     if setup.is_official:
         return ""
     if not camera.is_clipped(setup.size):

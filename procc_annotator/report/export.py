@@ -302,7 +302,7 @@ def _input(
     place: str,
     setup: EvaluationSetup,
 ) -> FrameInput:
-    problem = projections_error(loaded.camera, setup)
+    problem = projections_error(loaded.camera, setup.of_frame(name))
     if why := field_mismatch(loaded.assumed_field, setup.field):
         problem = f"{why} ({NAME_THE_FORMAT})"
     if problem:

@@ -288,7 +288,7 @@ def _shot_row(one: TemporalMetrics, shot: ShotOverTime) -> tuple[Value, ...]:
         one.source,
         shot.shot.name,
         len(shot.shot.frames),
-        *shot.fits.values,
+        *shot.fits.values[:2],
         shot.mean_jac,
         shot.jitter_px,
         shot.jitter_m,

@@ -213,6 +213,11 @@ BROAD = {
     "rollDegrees": 0.1, "positionXMeters": 0.0, "positionYMeters": 55.0,
     "positionZMeters": -12.0, "normalizedRadialDistortionCoefficients": [0.1, 0.0, 0.0],
 }  # fmt: skip
+WHOLE = {
+    "format": "procc-annotator projection 1", "size": [960, 540], "ground_only": False,
+    "field_sha256": "", "pieces": {"Middle line": [[[1.0, 2.0], [3.0, 4.5]]]},
+    "samples": {"Middle line": [[1.0, 2.0], None]},
+}  # fmt: skip
 POINTS = {
     "Middle line": [{"x": 0.4, "y": 0.1}, {"x": 0.5, "y": 0.9}],
     "Circle central": [[{"x": 0.1, "y": 0.2}, {"x": 1.2, "y": 0.3}]],
@@ -248,7 +253,7 @@ COLLECTIONS: dict[str, list[bytes]] = {
     "tvcalib": [encoded(RECORD), encoded(RECORD, FLAT), encoded([RECORD, FLAT])],
     "broadtrack": [encoded({"1.jpg": {"cp": BROAD, "score": 1}, "2.jpg": {"cp": SOCCERNET}})],
     "deepsportradar": [encoded([{"width": 960, "height": 540}, BASKET, BASKET])],
-    "polylines": [encoded(POINTS), encoded({"1": POINTS, "2.jpg": POINTS})],
+    "polylines": [encoded(POINTS), encoded({"1": POINTS, "2.jpg": POINTS}), encoded(WHOLE)],
     "soccernet": [encoded(SOCCERNET), encoded({"1.jpg": SOCCERNET, "2": SOCCERNET})],
 }
 MATRIX = np.array([[0.05, 0, 25.5], [0, 0.05, 19.0], [0, 1e-4, 1]])

@@ -95,6 +95,9 @@ def test_a_projection_is_for_one_field_and_scales(sample_data, tmp_path):
     assert read.summaries[5.0].mean_error == pytest.approx(own.summaries[5.0].mean_error, abs=0.003)
     file = tmp_path / "out" / f"{written[0]}.json"
     content = json.loads(file.read_text())
+    file.write_text(json.dumps({**content, "samples": {"Middle line": [[1, 2]]}}))
+    with pytest.raises(UsageError, match="holds 1 samples of 'Middle line', expected"):
+        evaluate_set(annotations, tmp_path / "out")
     for key, value, place in [
         ("format", "procc-annotator projection 9", "format"),
         ("size", [960], "size"),

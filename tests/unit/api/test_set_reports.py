@@ -72,6 +72,8 @@ def test_a_report_from_values_with_fits_marked(given, sample_data, tmp_path):
     assert page.count("data:image") > 4
     report = json.loads(files[1].read_bytes())
     assert {source["name"] for source in report["sources"]} == set(chosen)
+    with pytest.raises(UsageError, match="no option 'tau'; there are field, size"):
+        compare_methods(annotations, methods, tau=5)
     with pytest.raises(UsageError, match="expected them by name, found list"):
         write_report(tmp_path / "a.html", annotations, [1])
 

@@ -61,7 +61,7 @@ def find_camera(camera_set: FrameCameras, frame: str, setup: EvaluationSetup) ->
         return SourceFrame(notice=camera_set.why_none(frame))
     if problem := field_mismatch(found.assumed_field, setup.field):
         return SourceFrame(error=f"{frame}: {problem} ({NAME_THE_FORMAT})")
-    if problem := projections_error(found.camera, setup):
+    if problem := projections_error(found.camera, setup.of_frame(frame)):
         return SourceFrame(error=f"{frame}: {problem}")
     return SourceFrame(
         found.camera, found.model, notice=found.notice or "", fitted_on=found.fitted_on
