@@ -41,7 +41,7 @@ _OF_SHOT = (
     Column("source", "source"),
     Column("shot", "shot"),
     count_column("frames"),
-    *map(count_column, FITTED_KEYS),  # of so many frames
+    *map(count_column, FITTED_KEYS[:2]),  # of so many frames
     metric_column(metrics.MEAN_JAC),
     metric_column(metrics.JITTER_PX),
     metric_column(metrics.JITTER_M),
@@ -324,7 +324,7 @@ def _all_shots_row(one: TemporalMetrics) -> tuple[Value, ...]:
         "source": one.source,
         "shot": f"all {pluralize(len(shots), 'shot')}",
         "frames": frames,
-        **dict.fromkeys(FITTED_KEYS, 0),
+        **dict.fromkeys(FITTED_KEYS[:2], 0),
         **sum((shot.fits for shot in shots), NOT_FITTED).entry(),
         "mean_jac": float(np.nanmean(jac)) if np.isfinite(jac).any() else None,
         "jitter_px": shot_rms(_joined([shot.steady.px for shot in shots]), left_out),
