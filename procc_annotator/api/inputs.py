@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, as_size
+from procc_annotator.batch.scoring import FrameInput
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.base import (
     Camera,
@@ -124,9 +125,9 @@ def loaded_camera(camera: object, name: str) -> LoadedCamera:
     return LoadedCamera(own, str(getattr(own, "model", type(own).__name__)))
 
 
-def position_remarks(cameras: Iterable[CameraInPixels]) -> tuple[str, ...]:
+def position_remarks(cameras: Iterable[CameraInPixels | FrameInput]) -> tuple[str, ...]:
     """One line for cameras that stand below the ground, as in a world with z up, or far away."""
-    loaded = (LoadedCamera(one.camera, one.model) for one in cameras)
+    loaded = (LoadedCamera(c.camera, c.model) for c in cameras if c.camera is not None)
     found = [remark for one in loaded for remark in with_plausibility_remark(one).notices]
     return (f"{found[0]} ({pluralize(len(found), 'camera')})",) if found else ()
 

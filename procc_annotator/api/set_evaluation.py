@@ -13,7 +13,6 @@ from natsort import natsorted
 
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.inputs import (
-    CameraInPixels,
     as_annotation,
     as_field,
     as_optional_size,
@@ -50,7 +49,6 @@ if TYPE_CHECKING:
     import pandas
 
 
-FrameInputs = tuple[FrameAnnotation, CameraInPixels | None]
 Clustering = str | Mapping[str, str] | None
 
 
@@ -205,62 +203,6 @@ class SetScore:
 _FAR = 0.05  # of the picture's width: by which points are off under cameras of another size
 
 
-def score_set(
-    frames: Mapping[str, FrameInputs], setup: EvaluationSetup, thresholds: tuple[float, ...]
-) -> SetScore:
-    """Score frames whose annotations and cameras are at hand.
-
-    The sums are made in the same order and parts as by ``evaluate``, so that they are the same to
-    the last digit.
-
-    Args:
-        frames: name -> annotation and camera, px of the evaluation size; None without one.
-        setup: field, size, protocol.
-        thresholds: px.
-
-    Raises:
-        UsageError: there is no frame, or none with a camera.
-    """
-    if not any(camera is not None for _, camera in frames.values()):
-        what = "no frame that is annotated has a camera" if frames else "no annotated frame"
-        raise UsageError(f"nothing to score: {what}")
-    total, names = Tally(SetAccumulator(setup, thresholds)), natsorted(frames)
-    sums: list[FrameSums | None] = []
-    found: dict[str, Mapping[float, FrameScore]] = {}
-    for start in range(0, len(names), CHUNK):
-        part = Tally(SetAccumulator(setup, thresholds))
-        inputs = [_input(name, *frames[name]) for name in names[start : start + CHUNK]]
-        for evaluated in score_frames(inputs, part):
-            found[evaluated.result.name] = evaluated.result.scores
-            sums.append(frame_sums(evaluated, thresholds))
-        total.merge(part)
-    cameras = [camera for _, camera in frames.values() if camera is not None]
-    lines = [*total.notes.lines(), *position_remarks(cameras)]
-    last = total.sums.summary()[max(thresholds)]
-    far = (last.mean_error or 0) > _FAR * setup.size[0]
-    if last.mean_jac == 0 and far and not total.notes.in_pixels:
-        lines.append(
-            f"JaC is 0 in every frame and points are {last.mean_error:.0f} px off: do the cameras"
-            f" belong to {setup.size[0]}x{setup.size[1]} (camera_size), with z down?"
-        )
-    for line in lines:
-        warnings.warn(line, stacklevel=3)
-    models = {name: camera.model for name, (_, camera) in frames.items() if camera is not None}
-    source = SourceSums.of("this", thresholds, sums)
-    terms = setup.describe(source.ground_only)
-    mark = source.fitted.among(int(source.with_camera.sum()))
-    described = f"{terms}, {mark}" if mark else terms
-    return SetScore(described, total.sums.summary(), found, models, source, terms)
-
-
-def _input(name: str, annotation: FrameAnnotation, camera: CameraInPixels | None) -> FrameInput:
-    if camera is None:
-        return FrameInput(name, annotation)
-    return FrameInput(
-        name, annotation, camera.camera, model=camera.model, fitted_on=camera.fitted_on
-    )
-
-
 def _certainty(
     sources: Sequence[SourceSums],
     cluster: Clustering,
@@ -349,16 +291,40 @@ def evaluate_set(
     by_frame = cameras_of(cameras, annotations)
     at, own = as_size(size), as_optional_size(camera_size)
     setup = EvaluationSetup(known, at, protocol, allow_mirrored, off_plane, planar_only)
-    frames: dict[str, tuple[FrameAnnotation, CameraInPixels | None]] = {}
-    for name, annotation in annotations.items():
-        camera, used = by_frame.get(name), None
-        if camera is not None:
+    chosen, inputs = check_thresholds(thresholds), []
+    for name in natsorted(annotations):
+        one = FrameInput(name, as_annotation(annotations[name]))
+        if (camera := by_frame.get(name)) is not None:
             used = evaluated_camera(camera, setup.of_frame(name), own, f"camera of {name}")
-        frames[name] = as_annotation(annotation), used
-    if frames and by_frame and not any(by_frame.get(name) for name in frames):
-        theirs, ours = next(iter(by_frame)), next(iter(frames))
-        raise UsageError(
-            "nothing to score: no frame that is annotated has a camera (annotations are named like"
-            f" {ours!r}, cameras like {theirs!r})"
+            one = replace(one, camera=used.camera, model=used.model, fitted_on=used.fitted_on)
+        inputs.append(one)
+    judged = [one for one in inputs if one.camera is not None]
+    if not judged:
+        what = "no frame that is annotated has a camera" if inputs else "no annotated frame"
+        theirs = next(iter(by_frame), None)
+        if inputs and theirs is not None:
+            what += f" (annotations are named like {inputs[0].name!r}, cameras like {theirs!r})"
+        raise UsageError(f"nothing to score: {what}")
+    total, sums = Tally(SetAccumulator(setup, chosen)), list[FrameSums | None]()
+    scores: dict[str, Mapping[float, FrameScore]] = {}
+    for start in range(0, len(inputs), CHUNK):  # as `evaluate` adds, to the last digit
+        part = Tally(SetAccumulator(setup, chosen))
+        for evaluated in score_frames(inputs[start : start + CHUNK], part):
+            scores[evaluated.result.name] = evaluated.result.scores
+            sums.append(frame_sums(evaluated, chosen))
+        total.merge(part)
+    summaries, lines = total.sums.summary(), [*total.notes.lines(), *position_remarks(judged)]
+    off = summaries[max(chosen)].mean_error or 0
+    far = summaries[max(chosen)].mean_jac == 0 and off > _FAR * setup.size[0]
+    if far and not total.notes.in_pixels:
+        lines.append(
+            f"JaC is 0 in every frame and points are {off:.0f} px off: do the cameras belong to"
+            f" {setup.size[0]}x{setup.size[1]} (camera_size), with z down?"
         )
-    return score_set(frames, setup, check_thresholds(thresholds))
+    for line in lines:
+        warnings.warn(line, stacklevel=2)
+    source = SourceSums.of("this", chosen, sums)
+    terms = setup.describe(source.ground_only)
+    mark = source.fitted.among(len(judged))
+    described, models = f"{terms}, {mark}" if mark else terms, {o.name: o.model for o in judged}
+    return SetScore(described, summaries, scores, models, source, terms)

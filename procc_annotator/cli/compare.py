@@ -14,7 +14,7 @@ import typer
 from procc_annotator.batch.comparison import ComparisonRun
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.grouping import Clusters
-from procc_annotator.batch.set_run import ambiguous_folders
+from procc_annotator.batch.set_run import WORTH_WORKERS, ambiguous_folders
 from procc_annotator.cli import inference_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
@@ -75,8 +75,6 @@ Example:
   procc-annotator compare reference=true/ ours=cameras/ match/ --versus theirs=others.zip
 """
 
-# A frame takes about 30 ms, a process half a second to start.
-_WORTH_WORKERS = 100
 # dataset/cameras/method
 _LEVELS_AROUND = 2
 _THIRD = "intervals_versus"  # the sheet of the intervals of C
@@ -130,20 +128,6 @@ Versus = Annotated[
         help="A third source: is it nearer to A than B is, beyond chance, on the frames all have?",
     ),
 ]
-Workers = Annotated[
-    int | None,
-    typer.Option(
-        min=1,
-        show_default=False,
-        help="Processes to use; by default as many as suit the set and the machine.",
-    ),
-]
-Dask = Annotated[
-    str | None,
-    typer.Option(
-        metavar="ADDRESS", help="Share the work on a Dask cluster, e.g. tcp://scheduler:8786."
-    ),
-]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -165,8 +149,8 @@ class CompareOptions:
     versus: Versus = None
     alike: inference_options.ClusterOptions
     seed: inference_options.Seed = inference_options.USUAL_SEED
-    workers: Workers = None
-    dask: Dask = None
+    workers: options.FitWorkers = None
+    dask: options.Dask = None
 
 
 def compare(given: CompareOptions) -> None:
@@ -196,7 +180,7 @@ def compare(given: CompareOptions) -> None:
     others = [ComparisonRun(source_a, other, *terms) for other in third]
     count = comparison.total
     with make_executor(
-        given.workers, given.dask, frames=count, worth_from=_WORTH_WORKERS
+        given.workers, given.dask, frames=count, worth_from=WORTH_WORKERS
     ) as executor:
         comparison.executor = executor
         compared = compare_sources(comparison, with_progress)

@@ -25,6 +25,7 @@ from procc_annotator.cli.outputs import each_once
 from procc_annotator.dataset.layout import FRAMES_FILE, folder_of_dataset
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.file_source import read_file
+from procc_annotator.formats.point_tables import is_number
 from procc_annotator.formats.strict_json import decode_as
 from procc_annotator.metrics.statistics.intervals import (
     INTERVAL_METHODS,
@@ -318,7 +319,7 @@ def orders_by_set(annotations: Mapping[str, Path], shots: Path | None) -> dict[s
 
 def noise_file(text: str | None) -> Path | None:
     """The file that gives the noise of clicks, where the option names one."""
-    if text is None or _is_number(text):
+    if text is None or is_number(text):
         return None
     return Path(text)
 
@@ -338,11 +339,3 @@ def annotation_noise(text: str, seed: int) -> ClickNoise:
             " or the JSON of agree"
         )
     return ClickNoise(float(text), seed=seed)
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True

@@ -112,12 +112,13 @@ def read_rows(path: Path) -> list[Row]:
             [{**row, "frame": files[row.get("image_id")]} for row in content] if files else content
         )
     cells = [row for _, row in csv_cells(path)]
-    if cells and len(cells[0]) > 5 and all(map(_is_number, cells[0])):
+    if cells and len(cells[0]) > 5 and all(map(is_number, cells[0])):
         return [dict(zip(_MOT, map(str.strip, row), strict=False)) for row in cells]
     return [row for _, row in read_table(path, (), advice)[1]]
 
 
-def _is_number(text: str) -> bool:
+def is_number(text: str) -> bool:
+    """Return whether a text spells a number."""
     try:
         float(text)
     except ValueError:
@@ -155,7 +156,7 @@ def _written(value: Any) -> Any:
         return ""
     if isinstance(value, bool | list | dict):
         return json.dumps(value)
-    return value if not isinstance(value, str) or _is_number(value) else escape_formula(value)
+    return value if not isinstance(value, str) or is_number(value) else escape_formula(value)
 
 
 def _parquet() -> Any:
