@@ -57,16 +57,6 @@ Example:
 """
 
 
-Output = Annotated[
-    list[Path] | None,
-    typer.Option(
-        "--output",
-        "-o",
-        metavar="FILE",
-        show_default=False,
-        help="Write every finding to a .csv or .json file; repeat for both.",
-    ),
-]
 Least = Annotated[
     str,
     typer.Option(
@@ -98,7 +88,7 @@ Paint = Annotated[
 
 def check(
     dataset: options.AnnotatedSet,
-    output: Output = None,
+    output: options.FigureFiles = None,
     least: Least = "hint",
     fail_on: FailOn = None,
     model: Model = "R",

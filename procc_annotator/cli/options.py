@@ -383,7 +383,7 @@ FigureFiles = Annotated[
         "-o",
         metavar="FILE",
         show_default=False,
-        help="Write every figure to a .json or .csv file; repeat for both.",
+        help="Write all of it to a .json or .csv file; repeat for both.",
     ),
 ]
 AnnotatedSet = Annotated[
