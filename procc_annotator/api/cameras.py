@@ -54,12 +54,11 @@ from procc_annotator.formats.cameras.writers import (
     writer_of,
 )
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.interaction.overlay import OverlayContent
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.projection import project_markings
 from procc_annotator.metrics.score import display_score
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
-from procc_annotator.report.overlay_scene import OverlayLook
+from procc_annotator.report.overlay_scene import OverlayLook, Scene
 from procc_annotator.version import __version__
 
 
@@ -321,15 +320,8 @@ def draw_overlay(
         measurement = measure(given, used, setup)
         judged = display_score(measurement, chosen)
         paint = project_markings(used, setup) if painted_width else None
-    shown = OverlayContent(
-        annotation=given,
-        size=setup.size,
-        field=known,
-        measurement=measurement,
-        score=judged,
-        picture_size=(width, height),
-        paint=paint,
-    )
+    scene = Scene(None, given, setup, measurement, judged, paint=paint)
+    shown = overlay.scene_content(scene, pixels)
     drawn = overlay.draw_overlay(pixels, shown, OverlayLook(scale), caption=caption)
     assert not isinstance(drawn, bytes)  # that is an SVG
     return np.ascontiguousarray(drawn[:, :, :3])
