@@ -101,20 +101,15 @@ class AgreeOptions:
     field: options.FieldName = None
     alike: inference_options.ClusterOptions
     power: Annotated[
-        bool,
-        typer.Option("--power", help="Also how many frames such a study needs to be surer."),
+        bool, typer.Option("--power", help="Also how many frames such a study needs to be surer.")
     ] = False
     reference: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="DIR", show_default=False, help="Annotations that are known to be right."
-        ),
+        Path | None, typer.Option(metavar="DIR", help="Annotations that are known to be right.")
     ] = None
     frames: Annotated[
         Path | None,
         typer.Option(
             metavar="FILE.csv",
-            show_default=False,
             help="Frames of --reference to compare, in a column 'frame'."
             "  [default: its gold.csv, else all]",
         ),

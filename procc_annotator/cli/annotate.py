@@ -67,10 +67,7 @@ Cameras = Annotated[
 ]
 Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
 Views = Annotated[
-    int | None,
-    typer.Option(
-        min=1, metavar="K", show_default=False, help="The K frames whose views differ most only."
-    ),
+    int | None, typer.Option(min=1, metavar="K", help="The K frames whose views differ most only.")
 ]
 
 

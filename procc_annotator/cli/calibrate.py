@@ -29,10 +29,7 @@ from procc_annotator.formats.file_source import FileSource
 from procc_annotator.messages import first_names, pluralize
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report import calibration, joint_calibration
-from procc_annotator.report.calibration import (
-    CalibrationReport,
-    calibrate_set,
-)
+from procc_annotator.report.calibration import CalibrationReport, calibrate_set
 from procc_annotator.report.joint_calibration import POSITIONS_FILE
 from procc_annotator.report.outputs import Interrupted, is_archive
 from procc_annotator.report.scores import score_tables

@@ -68,7 +68,6 @@ FailOn = Annotated[
     typer.Option(
         "--fail-on",
         metavar="error|warning|hint",
-        show_default=False,
         help="Exit code 1 if something at least so severe is found.",
     ),
 ]

@@ -95,7 +95,7 @@ Dataset = Annotated[
     Path | None,
     typer.Argument(
         help="Folder of pictures or annotations (also a zip of annotations): only its frames"
-        " are compared. Without it, all that A and B have in common.",
+        " are compared. Without it, all that A and B have in common."
     ),
 ]
 Pictures = Annotated[
@@ -124,7 +124,6 @@ Versus = Annotated[
     str | None,
     typer.Option(
         metavar="[NAME=]PATH",
-        show_default=False,
         help="A third source: is it nearer to A than B is, beyond chance, on the frames all have?",
     ),
 ]

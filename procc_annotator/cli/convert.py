@@ -69,8 +69,7 @@ Source = Annotated[Path, typer.Argument(metavar="IN", help="What is read.")]
 Out = Annotated[Path, typer.Argument(metavar="OUT", help="File, folder or .zip to write.")]
 To = Annotated[str, typer.Option("--to", metavar="FORMAT", help="Format to write.")]
 From = Annotated[
-    str,
-    typer.Option("--from", metavar="auto|FORMAT", help="Format of IN; auto looks into it."),
+    str, typer.Option("--from", metavar="auto|FORMAT", help="Format of IN; auto looks into it.")
 ]
 Size = Annotated[
     str | None,
@@ -114,7 +113,6 @@ Frames = Annotated[
     typer.Option(
         "--frames",
         metavar="DIR",
-        show_default=False,
         help="Of polylines: a dataset, folder or zip of JSON files whose names are the frames that"
         " are judged.  [default: the frames that have a camera]",
     ),
@@ -124,7 +122,6 @@ Region = Annotated[
     typer.Option(
         "--region",
         metavar="field|X0,Y0,X1,Y1",
-        show_default=False,
         help="Of wc14, carwc and world: write the homography nearest to each camera over what its"
         " picture shows of the field, or of a rectangle in metres, and list its errors.",
     ),
@@ -134,7 +131,6 @@ Method = Annotated[
     typer.Option(
         "--method",
         metavar="NAME",
-        show_default=False,
         help="Of polylines: what the method is called.  [default: the name of IN]",
     ),
 ]

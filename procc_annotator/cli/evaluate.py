@@ -68,28 +68,19 @@ Example:
 
 
 Annotations = Annotated[
-    Path | None,
-    typer.Argument(
-        show_default=False, help="Dataset folder, or folder or zip of annotation files."
-    ),
+    Path | None, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
 ]
-Cameras = Annotated[
-    Path | None, typer.Argument(show_default=False, help="Folder or zip of camera files.")
-]
+Cameras = Annotated[Path | None, typer.Argument(help="Folder or zip of camera files.")]
 Sets = Annotated[
     list[str] | None,
     typer.Option(
-        "--set",
-        metavar="NAME=ANNOTATIONS",
-        show_default=False,
-        help="A set of annotations; repeat for several.",
+        "--set", metavar="NAME=ANNOTATIONS", help="A set of annotations; repeat for several."
     ),
 ]
 By = Annotated[
     list[str] | None,
     typer.Option(
         metavar="TAG|model|zoom|elements|spread|side|shot",
-        show_default=False,
         help="Also the figures by this tag, or by the model of the camera; with intervals by zoom,"
         " number of elements, how much of the picture they enclose, the camera's side and shot;"
         " zoom and side are those of a pinhole fitted to each annotation; repeat for several."

@@ -53,7 +53,6 @@ Submission = Annotated[
     typer.Option(
         "--submission",
         metavar="ZIP",
-        show_default=False,
         help="A submission of polylines in place of CAMERAS; one that was made for another"
         " protocol, field, size or other frames is refused.",
     ),

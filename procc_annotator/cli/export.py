@@ -13,13 +13,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.formats.frame_names import is_file_name
 from procc_annotator.messages import first_names, pluralize
 from procc_annotator.metrics.setup import EvaluationSetup
-from procc_annotator.report.export import (
-    JAC_FILES,
-    Exported,
-    Scoring,
-    export_dataset,
-    split_scores,
-)
+from procc_annotator.report.export import JAC_FILES, Exported, Scoring, export_dataset, split_scores
 from procc_annotator.report.outputs import is_archive
 
 HELP = """\

@@ -73,10 +73,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 FieldText = Annotated[
-    str,
-    typer.Argument(
-        metavar="NAME|FILE", show_default=False, help="A field by name, or a .toml file."
-    ),
+    str, typer.Argument(metavar="NAME|FILE", help="A field by name, or a .toml file.")
 ]
 
 
@@ -105,14 +102,14 @@ def show(
     output: Annotated[
         Path | None,
         typer.Option(
-            "--output", "-o", metavar="FILE.png|.svg", show_default=False,
+            "--output", "-o", metavar="FILE.png|.svg",
             help="Write the map as a picture.",
         ),
     ] = None,
     window: Annotated[
         bool | None,
         typer.Option(
-            "--window/--no-window", show_default=False,
+            "--window/--no-window",
             help="Open a window that follows the file.  [default: on a terminal, without --output]",
         ),
     ] = None,

@@ -37,8 +37,7 @@ Example:
 
 Out = Annotated[Path, typer.Argument(help="File of the figure: .svg, .pdf or .png.")]
 Frames = Annotated[
-    list[str] | None,
-    typer.Option("--frame", metavar="NAME", show_default=False, help="A frame; repeat."),
+    list[str] | None, typer.Option("--frame", metavar="NAME", help="A frame; repeat.")
 ]
 Count = Annotated[
     int, typer.Option("--count", min=1, max=50, metavar="N", help="Frames to choose.")

@@ -48,7 +48,7 @@ Output = Annotated[
 PointSize = Annotated[
     str | None,
     typer.Option(
-        "--size", metavar="WxH", callback=options.checked_size, show_default=False,
+        "--size", metavar="WxH", callback=options.checked_size,
         help="Picture size the points refer to.  [default: that of the cameras]",
     ),
 ]  # fmt: skip

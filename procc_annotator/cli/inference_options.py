@@ -87,7 +87,6 @@ TagsFile = Annotated[
     Path | None,
     typer.Option(
         metavar="FILE.csv",
-        show_default=False,
         help="Tags of frames: a column 'frame' and one or more others (and 'set', if there are"
         " several).",
     ),
@@ -104,7 +103,6 @@ Cluster = Annotated[
     str | None,
     typer.Option(
         metavar="TAG|shot|none",
-        show_default=False,
         help="Which frames are alike, for intervals: those of one value of a tag, of one shot (by"
         " frames.csv or names), or none.  [default: shots, where there are several]",
     ),
@@ -129,7 +127,6 @@ Noise = Annotated[
     typer.Option(
         "--annotation-noise",
         metavar="PX|FILE.json",
-        show_default=False,
         help="Also what clicks leave open: everything again and again with every point moved by so"
         " much (standard deviation, px of the evaluation size), or by what agree's JSON tells.",
     ),
@@ -155,7 +152,6 @@ Shots = Annotated[
     typer.Option(
         "--shots",
         metavar="FILE.csv",
-        show_default=False,
         help="Which frames follow each other: columns 'frame', 'shot' and perhaps 'number'."
         "  [default: frames.csv of the dataset, track.csv beside the cameras, else by the names of"
         " the frames]",
@@ -166,7 +162,6 @@ Pictures = Annotated[
     typer.Option(
         "--pictures",
         metavar="PATH",
-        show_default=False,
         help="Folder of the pictures or video of the set: cuts are found in it, and cameras held"
         " against what moves in it.",
     ),
@@ -176,7 +171,6 @@ OverTimeOutput = Annotated[
     typer.Option(
         "--over-time-output",
         metavar="FILE",
-        show_default=False,
         help="Write the figures over time: a .json of all, or a .csv with a row a frame; repeat"
         " for both.",
     ),

@@ -48,7 +48,7 @@ from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 Dataset = Annotated[
     Path,
     typer.Argument(
-        help="Folder of pictures, annotations beside them or in annotations/; or one picture.",
+        help="Folder of pictures, annotations beside them or in annotations/; or one picture."
     ),
 ]
 Annotations = Annotated[
@@ -58,8 +58,7 @@ Annotations = Annotated[
     ),
 ]
 Cameras = Annotated[
-    Path | None,
-    typer.Option("--cameras", metavar="PATH", help="Folder, zip or file of cameras."),
+    Path | None, typer.Option("--cameras", metavar="PATH", help="Folder, zip or file of cameras.")
 ]
 
 
@@ -159,10 +158,7 @@ def annotated_frames(
 
 
 def open_cameras(
-    path: Path | None,
-    camera_format: str,
-    camera_size: tuple[int, int] | None,
-    field: Field,
+    path: Path | None, camera_format: str, camera_size: tuple[int, int] | None, field: Field
 ) -> CameraSet | None:
     """The cameras, if any were asked for, of pictures that show a field; remarks on their files go
     to stderr.

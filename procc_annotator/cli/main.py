@@ -90,11 +90,7 @@ RENAMED_OPTIONS = {
         "--no-paint": "--no-line-evidence",
     },
     "propose": {"--known": "--known-positions", "--with": "--detector"},
-    "release": {
-        "--by": "--creator",
-        "--before": "--previous",
-        "--second": "--second-annotator",
-    },
+    "release": {"--by": "--creator", "--before": "--previous", "--second": "--second-annotator"},
     "triangulate": {"--click-px": "--click-sd"},
 }
 REMOVED_OPTIONS = {
@@ -186,8 +182,7 @@ COMMANDS = (
         "agree", "Compare annotators of the same frames, or each with reference annotations."
     ),
     LazyCommand(
-        "compare",
-        "Compare two sources of cameras: how far apart is what each pixel means to them?",
+        "compare", "Compare two sources of cameras: how far apart is what each pixel means to them?"
     ),
     LazyCommand(
         "report", "Report how well sources of cameras agree with annotations, side by side."
@@ -214,8 +209,7 @@ COMMANDS = (
     LazyCommand("ground", "Find the metres on the ground of pixels in a table, or the way back."),
     LazyCommand("convert", "Write annotations or cameras in another format."),
     LazyCommand(
-        "propose-map",
-        "Propose which classes of the field the labels of another program stand for.",
+        "propose-map", "Propose which classes of the field the labels of another program stand for."
     ),
     LazyCommand("release", "Write what the keeper of a dataset publishes, for people and hubs."),
     LazyCommand(

@@ -169,7 +169,6 @@ ManifestFile = Annotated[
     Path | None,
     typer.Option(
         metavar="FILE.json",
-        show_default=False,
         help="Write options, versions, the SHA-256 of every input file and the metrics, so that"
         " `procc-annotator repeat` can run it again and compare.",
     ),

@@ -176,15 +176,13 @@ class OpenOptions:
         typer.Option(
             "--field",
             metavar="NAME|FILE[:DIMENSIONS]",
-            show_default=False,
             help="The field that PATH shows, which its dataset remembers.  [default: what it"
             " remembers, or what its classes tell]",
         ),
     ] = None
     lines: Lines = None
     selftest: Annotated[
-        bool,
-        typer.Option("--selftest", help="Try the window on a copy of a picture, and end."),
+        bool, typer.Option("--selftest", help="Try the window on a copy of a picture, and end.")
     ] = False
 
 

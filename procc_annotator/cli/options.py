@@ -247,7 +247,6 @@ FitSize = Annotated[
         "--size",
         metavar="WxH",
         callback=checked_size,
-        show_default=False,
         help="Picture size that cameras and distances are for.  [default: 960 px wide, in the shape"
         " of the picture beside the annotation; 960x540 without pictures]",
     ),
@@ -267,7 +266,6 @@ FieldName = Annotated[
     typer.Option(
         "--field",
         metavar="NAME|FILE[:DIMENSIONS]",
-        show_default=False,
         help="The field: a name, or a .toml file; with dimensions that are not nominal e.g."
         " futsal:length=39.8,width=19.9 (metres).  [default: the dataset's own; where it has none"
         " the one marked in field list]",
@@ -278,7 +276,6 @@ Lines = Annotated[
     typer.Option(
         metavar="measured|middle",
         callback=_checked_lines,
-        show_default=False,
         help="Where the lines of the field lie: measured: where the rules measure them, often an"
         " edge of their paint; middle: in the middle of their paint, where clicks are put."
         "  [default: what the dataset keeps; measured]",
@@ -289,7 +286,6 @@ LabelsFile = Annotated[
     typer.Option(
         "--map",
         metavar="labels.toml",
-        show_default=False,
         help="What the names of another program stand for.  [default: labels.toml of the dataset,"
         " if there is one]",
     ),
@@ -313,7 +309,6 @@ Groups = Annotated[
     typer.Option(
         "--groups",
         metavar="FILE.csv",
-        show_default=False,
         help="Groups of frames that belong together: a column 'frame' and one that names the group"
         " (and 'set', if there are several).  [default: the stadiums of stadiums.csv, else all]",
     ),
@@ -371,7 +366,6 @@ Sources = Annotated[
     typer.Option(
         "--cameras",
         metavar="[NAME[:FORMAT]=]PATH",
-        show_default=False,
         help="A source of cameras: folder, zip or file. Repeat for several; without NAME it is"
         " called like its folder.",
     ),
@@ -382,7 +376,6 @@ FigureFiles = Annotated[
         "--output",
         "-o",
         metavar="FILE",
-        show_default=False,
         help="Write all of it to a .json or .csv file; repeat for both.",
     ),
 ]
@@ -395,7 +388,6 @@ FitWorkers = Annotated[
         "--workers",
         min=1,
         metavar="N",
-        show_default=False,
         help="Processes that share the work.  [default: 1; from 200 frames one a CPU]",
     ),
 ]
@@ -404,7 +396,6 @@ Workers = Annotated[
     typer.Option(
         min=1,
         metavar="N",
-        show_default=False,
         help="Processes that share the work.  [default: 1; from 2000 frames one a CPU]",
     ),
 ]
@@ -412,7 +403,6 @@ Dask = Annotated[
     str | None,
     typer.Option(
         metavar="tcp://HOST:PORT",
-        show_default=False,
         help="Scheduler of a Dask cluster that shares the work instead; the data must lie under the"
         " same path on every machine.",
     ),

@@ -9,11 +9,7 @@ from pathlib import Path
 
 from procc_annotator.cli.echo import echo
 from procc_annotator.figures.overlay import PlainPictures
-from procc_annotator.report.overlay_scene import (
-    OverlayLook,
-    OverlayPainter,
-    check_overlay_suffix,
-)
+from procc_annotator.report.overlay_scene import OverlayLook, OverlayPainter, check_overlay_suffix
 
 
 @cache

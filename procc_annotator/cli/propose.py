@@ -88,7 +88,6 @@ Known = Annotated[
     typer.Option(
         "--known-positions",
         metavar="CAMERAS",
-        show_default=False,
         help="Where cameras stand: a folder, zip or file of cameras, or positions.csv.",
     ),
 ]
@@ -97,7 +96,6 @@ With = Annotated[
     typer.Option(
         "--detector",
         metavar="NAME",
-        show_default=False,
         help="A detector that is installed: its cameras or points are judged among the others.",
     ),
 ]
@@ -119,7 +117,6 @@ Workers = Annotated[
         "--workers",
         min=1,
         metavar="N",
-        show_default=False,
         help=f"Processes that share the work.  [default: 1; from {_WORTH_WORKERS} frames one a"
         " CPU]",
     ),

@@ -78,49 +78,35 @@ Example:
 _AGREEMENT_TAU = 5.0
 _SPLIT = re.compile(r"[\w][\w .\-]{0,60}")
 
-Name = Annotated[
-    str | None, typer.Option(metavar="TEXT", show_default=False, help="Of the dataset.")
-]
+Name = Annotated[str | None, typer.Option(metavar="TEXT", help="Of the dataset.")]
 Version = Annotated[str, typer.Option("--version", metavar="X.Y.Z", help="Of this release.")]
 Licence = Annotated[
     str, typer.Option("--licence", "--license", metavar="ID", help="Such as CC-BY-4.0, or a URL.")
 ]
 By = Annotated[
-    list[str] | None,
-    typer.Option("--creator", metavar="NAME", show_default=False, help="Who made it; repeat."),
+    list[str] | None, typer.Option("--creator", metavar="NAME", help="Who made it; repeat.")
 ]
 Url = Annotated[str, typer.Option(metavar="URL", help="Where it is found.")]
 Description = Annotated[str, typer.Option(metavar="TEXT", help="A paragraph for the card.")]
-Citation = Annotated[
-    Path | None, typer.Option(metavar="FILE.bib", show_default=False, help="How it is cited.")
-]
+Citation = Annotated[Path | None, typer.Option(metavar="FILE.bib", help="How it is cited.")]
 Splits = Annotated[
     Path | None,
     typer.Option(
-        metavar="FILE.csv",
-        show_default=False,
-        help="Columns 'frame' and 'split'; frames in none are left out.",
+        metavar="FILE.csv", help="Columns 'frame' and 'split'; frames in none are left out."
     ),
 ]
 Second = Annotated[
     Path | None,
     typer.Option(
-        "--second-annotator",
-        metavar="DIR",
-        show_default=False,
-        help="Annotations of the same frames by somebody else.",
+        "--second-annotator", metavar="DIR", help="Annotations of the same frames by somebody else."
     ),
 ]
 Before = Annotated[
-    Path | None,
-    typer.Option("--previous", metavar="DIR", show_default=False, help="The release before."),
+    Path | None, typer.Option("--previous", metavar="DIR", help="The release before.")
 ]
 Pictures = Annotated[bool, typer.Option("--pictures/--no-pictures", help="Pass pictures on.")]
 Check = Annotated[bool, typer.Option("--check/--no-check", help="Run the label check.")]
-Date = Annotated[
-    str | None,
-    typer.Option(metavar="YYYY-MM-DD", show_default=False, help="Of the release; today's."),
-]
+Date = Annotated[str | None, typer.Option(metavar="YYYY-MM-DD", help="Of the release; today's.")]
 
 
 @dataclass(frozen=True)

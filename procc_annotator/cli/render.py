@@ -91,9 +91,7 @@ TopView = Annotated[
 Positions = Annotated[
     Path | None,
     typer.Option(
-        metavar="FILE",
-        show_default=False,
-        help="CSV of ground positions (as of ground) to draw on a top view.",
+        metavar="FILE", help="CSV of ground positions (as of ground) to draw on a top view."
     ),
 ]
 Fps = Annotated[
@@ -102,7 +100,6 @@ Fps = Annotated[
         min=0.1,
         max=1000,
         metavar="N",
-        show_default=False,
         help="Frames per second of a video.  [default: the times of DATASET's video, else 25]",
     ),
 ]

@@ -45,16 +45,13 @@ _LISTED = 50
 
 def repeat(
     manifest: Annotated[
-        Path,
-        typer.Argument(metavar="MANIFEST", help="The manifest, a JSON file.", show_default=False),
+        Path, typer.Argument(metavar="MANIFEST", help="The manifest, a JSON file.")
     ],
     data: Annotated[
-        Path | None,
-        typer.Option(metavar="DIR", show_default=False, help="Folder that holds all inputs."),
+        Path | None, typer.Option(metavar="DIR", help="Folder that holds all inputs.")
     ] = None,
     output: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE.json", show_default=False, help="Write what differs."),
+        Path | None, typer.Option(metavar="FILE.json", help="Write what differs.")
     ] = None,
     workers: options.Workers = None,
     dask: options.Dask = None,

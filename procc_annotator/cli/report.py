@@ -13,12 +13,7 @@ import typer
 
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.grouping import Tags
-from procc_annotator.cli import (
-    inference_options,
-    input_files,
-    options,
-    outputs,
-)
+from procc_annotator.cli import inference_options, input_files, options, outputs
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.manifest import ManifestFile, ManifestOfRun
@@ -47,11 +42,7 @@ from procc_annotator.report.page.report import (
     report_kind,
     write_report,
 )
-from procc_annotator.report.page.report_data import (
-    NamedCameras,
-    ReportWork,
-    gather_report,
-)
+from procc_annotator.report.page.report_data import NamedCameras, ReportWork, gather_report
 from procc_annotator.report.scores.scoring import EvaluationRequest
 
 HELP = """\
@@ -103,7 +94,7 @@ Thresholds = Annotated[
         " final score.  [default: 5, 2, 10]",
     ),
 ]
-Title = Annotated[str | None, typer.Option(help="At the head of the page.", show_default=False)]
+Title = Annotated[str | None, typer.Option(help="At the head of the page.")]
 Date = Annotated[
     str | None, typer.Option(metavar="TEXT", help="Printed on the page.  [default: today]")
 ]
@@ -116,7 +107,6 @@ By = Annotated[
     list[str] | None,
     typer.Option(
         metavar="TAG|model|zoom|elements|spread|side|shot",
-        show_default=False,
         help="Break everything down by this tag, by the model of the cameras, zoom, number of"
         " elements, how much of the picture they enclose, the camera's side or shot; zoom and"
         " side are those of a pinhole fitted to each annotation; repeat."
@@ -128,7 +118,6 @@ Disagreement = Annotated[
     typer.Option(
         metavar="A,B",
         help="Show where these two sources disagree, in metres on the ground; repeat.",
-        show_default=False,
     ),
 ]
 Reference = Annotated[
@@ -136,7 +125,6 @@ Reference = Annotated[
     typer.Option(
         metavar="NAME",
         help="The source that the metrics of earlier papers (IoU and the like) take as true.",
-        show_default=False,
     ),
 ]
 PictureWidth = Annotated[

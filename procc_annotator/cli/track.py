@@ -77,7 +77,6 @@ Annotations = Annotated[
     typer.Option(
         "--annotations",
         metavar="DIR",
-        show_default=False,
         help="Folder of annotations: the frames that have one are anchors.",
     ),
 ]
@@ -86,15 +85,11 @@ Cameras = Annotated[
     typer.Option(
         "--cameras",
         metavar="PATH",
-        show_default=False,
         help="Folder, zip or file of cameras: the frames that have one are anchors.",
     ),
 ]
 From = Annotated[
-    str | None,
-    typer.Option(
-        "--from", metavar="FRAME", show_default=False, help="Follow only the shot of this frame."
-    ),
+    str | None, typer.Option("--from", metavar="FRAME", help="Follow only the shot of this frame.")
 ]
 Workers = Annotated[
     int, typer.Option("--workers", min=1, metavar="N", help="Processes that share the shots.")

@@ -53,7 +53,6 @@ Cameras = Annotated[
     typer.Option(
         "--cameras",
         metavar="[NAME[:FORMAT]=]PATH",
-        show_default=False,
         help="Cameras of the frames: folder, zip or file.  [default: fitted to the annotations]",
     ),
 ]
@@ -62,7 +61,6 @@ ViewsFile = Annotated[
     typer.Option(
         "--views",
         metavar="FILE.csv",
-        show_default=False,
         help="When each frame was taken, and by which camera.  [default: the dataset's views.csv]",
     ),
 ]
@@ -71,7 +69,6 @@ Pattern = Annotated[
     typer.Option(
         "--pattern",
         metavar="TEXT",
-        show_default=False,
         help="The same from the frames' names: {instant}_{view}, or a regular expression with"
         " (?P<instant>...).",
     ),
@@ -80,7 +77,6 @@ Moving = Annotated[
     list[str] | None,
     typer.Option(
         "--moving", metavar="NAME", help="A landmark that moves; repeat for several.",
-        show_default=False,
     ),
 ]  # fmt: skip
 Surveyed = Annotated[
@@ -88,7 +84,6 @@ Surveyed = Annotated[
     typer.Option(
         "--surveyed",
         metavar="NAME=X,Y,Z",
-        show_default=False,
         help="A landmark whose place was measured, metres from the field's centre (z down); repeat"
         " for several.",
     ),
@@ -98,7 +93,6 @@ ClickPx = Annotated[
     typer.Option(
         "--click-sd",
         metavar="PX",
-        show_default=False,
         help="Standard deviation of a click and its camera together, px of --size.  [default: 1.5"
         " at 960 px, corrected by the residuals]",
     ),
@@ -109,7 +103,6 @@ Output = Annotated[
         "--output",
         "-o",
         metavar="FILE.json",
-        show_default=False,
         help="Write the landmarks here, and leave the dataset as it is, without a views.csv."
         "  [default: landmarks.json in the dataset's folder]",
     ),
