@@ -98,8 +98,7 @@ def leave_one_out(
     What a fit explains is no evidence for its model; what it predicts is.
 
     Args:
-        annotation: as of `fit_camera`. field: as of `fit_camera`.
-        model: as of `fit_camera`. size: as of `fit_camera`.
+        annotation, field, model, size: as of `fit_camera`.
         protocol: of the distances, see `evaluate`.
 
     Returns:
@@ -128,8 +127,7 @@ def propose_camera(
     Args:
         picture: a picture's file; or its pixels, (H, W, 3) or (H, W, 4) uint8, BGR as OpenCV reads
             them.
-        field: the elements, metres; or a field's name, see `load_field`; the usual one (SoccerNet's
-            classes, nominal size) if None.
+        field: as of `fit_camera`.
         known: where its camera may be known to stand (`KnownPosition`: metres and covariance), as
             on the tripod of other frames: searched in addition to all other positions, and never
             a replacement for a better camera found without it.
@@ -173,7 +171,7 @@ def track(
         frames: a video's file; or pictures of one size, each as `propose_camera` takes its pixels.
             Of a sequence only one picture at a time is asked for, perhaps more than once, and by
             another thread.
-        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
+        field: as of `fit_camera`.
         anchors: cameras that are known, by number of the frame (0 is the first), px of the
             pictures. The track passes through them.
         on_frame: called for each frame as soon as it was followed; what is returned at the end is
@@ -226,8 +224,7 @@ def check_labels(
     """Return what may be wrong with the labels and points of a frame.
 
     Args:
-        annotation: what is annotated, points normalised.
-        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
+        annotation, field: as of `fit_camera`.
         size: (width, height) px of the picture, or any size of its shape; that of ``picture`` if it
             is given.
         picture: a picture's file, or its pixels, (H, W, 3) or (H, W, 4) uint8, BGR: what it shows

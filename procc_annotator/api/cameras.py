@@ -290,13 +290,9 @@ def draw_overlay(
         picture: a picture's file, or its pixels, (H, W, 3) or (H, W, 4) uint8, BGR.
         annotation: what is annotated, points normalised; None for nothing.
         camera: as `evaluate` takes it; None for none.
-        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
         size: (width, height) px at which annotation and camera are compared, which ``threshold``
             belongs to; that of the picture if None.
-        camera_size: (width, height) px that the camera belongs to, where it is no fit and its file
-            does not say it; ``size`` if None (1280x720 for files of homographies).
-        threshold: px of ``size``.
-        protocol: ``soccernet`` or ``procc``.
+        field, camera_size, threshold, protocol: as of `evaluate`.
         scale: px of the result per px of the picture; lines and text grow with it.
         painted_width: whether the borders of painted lines are drawn, too.
         caption: in the lower left corner.

@@ -113,20 +113,14 @@ def jac_curve(
         annotation: what is annotated, points normalised.
         camera: as `evaluate` takes it.
         thresholds: (T,) px, in any order.
-        field: as of `evaluate`.
-        size: as of `evaluate`.
-        camera_size: as of `evaluate`.
-        protocol: as of `evaluate`.
-        allow_mirrored: as of `evaluate`.
-        off_plane: as of `evaluate`.
-        planar_only: as of `evaluate`.
+        field, size, camera_size, protocol, allow_mirrored, off_plane, planar_only: as of
+            `evaluate`.
 
     Returns:
         (T,) JaC in [0, 1].
 
     Raises:
-        UsageError: as of `evaluate`.
-        FieldError: no such field.
+        UsageError, FieldError: as of `evaluate`.
     """
     given = np.asarray(thresholds)
     if given.dtype.kind not in "fiu" or np.isnan(given).any():
@@ -149,10 +143,8 @@ def project_field(
     """Return where a camera shows the elements of a field.
 
     Args:
-        camera: as `evaluate` takes it.
-        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
+        camera, field, camera_size: as of `evaluate`.
         size: (width, height) px of the picture; as of `evaluate`.
-        camera_size: as of `evaluate`.
         protocol: ``procc`` for true curves; ``soccernet`` for the points that the official
             evaluation measures to, which always end at the border of the picture.
         clipped: whether curves are cut where they leave the picture, to be drawn. To be judged as
@@ -163,8 +155,7 @@ def project_field(
         of the elements that have any in the picture.
 
     Raises:
-        UsageError: an argument of another kind, see `evaluate`.
-        FieldError: no such field.
+        UsageError, FieldError: as of `evaluate`.
     """
     at = _size_of_camera(camera, size)
     known = as_field(field)
@@ -189,8 +180,7 @@ def disagreement(
     Args:
         a: a camera as `evaluate` takes it; not projections alone, which know no ground.
         b: the other one.
-        field: the ground that counts, metres; or a field's name, see `load_field`; the usual one if
-            None.
+        field: the ground that counts, metres, as of `evaluate`.
         size: (width, height) px of the picture.
         camera_size: as of `evaluate`.
         step_px: samples are at most that far apart, px; the picture's border is always sampled.

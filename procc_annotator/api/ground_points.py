@@ -85,9 +85,8 @@ def to_ground(
             ``frame`` and ``x``, ``y`` (px), or a box, of which the middle of the lower edge counts.
         cameras: of their frames, as `save_projection` takes them; a number names the only frame
             that ends in it (12: ``000012``).
-        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
+        field, camera_size: as of `evaluate`.
         size: (width, height) px that points belong to; None for the size of the cameras.
-        camera_size: as of `evaluate`.
         axes: ``field``: metres from the centre, y towards the main camera; ``up``: y away from it,
             as SkillCorner; ``corner``: from the far left corner; ``metrica``: the same as shares of
             length and width.
@@ -135,11 +134,8 @@ def to_pixels(
 
     Args:
         points: as of `to_ground`, with ``X`` and ``Y`` in the axes.
-        cameras: as of `to_ground`.
-        field: as of `to_ground`.
+        cameras, field, camera_size, axes: as of `to_ground`.
         size: as of `to_ground`; of the pixels.
-        camera_size: as of `evaluate`.
-        axes: as of `to_ground`.
 
     Returns:
         The rows with ``x``, ``y`` (px), which may lie outside the picture.
@@ -172,8 +168,8 @@ def homography_of(
     Args:
         camera: as `evaluate` takes it.
         region: ``field``, or (x0, y0, x1, y1) metres; what the picture shows of it counts.
-        field: as of `to_ground`. size: (width, height) px of the picture; None for the camera's.
-        camera_size: as of `evaluate`.
+        field, camera_size: as of `evaluate`.
+        size: (width, height) px of the picture; None for the camera's.
 
     Returns:
         The homography as a ``camera`` (px of ``size``), with its largest and mean errors over the

@@ -12,11 +12,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.batch.scoring import FrameInput
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.camera.base import (
-    Camera,
-    CameraOrProjections,
-    ElementProjections,
-)
+from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProjections
 from procc_annotator.camera.custom import validated_camera
 from procc_annotator.camera.models import model_name
 from procc_annotator.dataset.dataset_field import MAX_PIXEL_ASPECT
@@ -94,11 +90,8 @@ def evaluated_camera(
     camera_size: tuple[int, int] | None = None,
     name: str = "camera",
 ) -> CameraInPixels:
-    """As `camera_at_size`, for a camera that is judged.
-
-    Raises:
-        UsageError: as of `camera_at_size`, or projections that the protocol cannot judge.
-    """
+    """As `camera_at_size`, for a camera that is judged; UsageError also for projections that the
+    protocol cannot judge."""
     found = camera_at_size(camera, setup.size, camera_size, name, field=setup.field)
     if problem := projections_error(found.camera, setup):
         raise UsageError(f"{name}: {problem}")
@@ -106,11 +99,8 @@ def evaluated_camera(
 
 
 def loaded_camera(camera: object, name: str) -> LoadedCamera:
-    """A camera as a file of it would be read; its size is None where nothing says it.
-
-    Raises:
-        UsageError: it is none, or a fit that failed.
-    """
+    """A camera as a file of it would be read; its size is None where nothing says it. Raises
+    UsageError for what is none, or a fit that failed."""
     if isinstance(camera, LoadedCamera):
         return camera
     if isinstance(camera, FitResult):
@@ -133,11 +123,7 @@ def position_remarks(cameras: Iterable[CameraInPixels | FrameInput]) -> tuple[st
 
 
 def as_camera(camera: object, name: str) -> CameraOrProjections:
-    """A camera of any model, its answers checked from now on.
-
-    Raises:
-        UsageError: it is not one.
-    """
+    """A camera of any model, its answers checked from now on; UsageError for what is none."""
     if isinstance(camera, type):
         raise UsageError(f"{name}: {camera.__name__} is a class; give a camera made of it")
     if isinstance(camera, ElementProjections) or callable(getattr(camera, "project", None)):
@@ -155,11 +141,7 @@ def as_camera(camera: object, name: str) -> CameraOrProjections:
 
 
 def as_annotation(annotation: object) -> FrameAnnotation:
-    """An annotation.
-
-    Raises:
-        UsageError: it is not one.
-    """
+    """An annotation; UsageError for what is none."""
     if isinstance(annotation, FrameAnnotation):
         return annotation
     hint = ""
@@ -172,11 +154,7 @@ def as_annotation(annotation: object) -> FrameAnnotation:
 
 def as_field(field: object, pixel_aspect: float | None = None) -> Field:
     """A field, or the one of that name or file; the usual one for None; with the pixel aspect of
-    its pictures, if one is given.
-
-    Raises:
-        UsageError: it is not one, or no aspect. FieldError: there is no such field.
-    """
+    its pictures, if one is given. UsageError for what is neither, FieldError for no such field."""
     if pixel_aspect is not None:
         if not isinstance(pixel_aspect, int | float) or not 0 < pixel_aspect < MAX_PIXEL_ASPECT:
             raise UsageError(
@@ -194,11 +172,7 @@ def as_field(field: object, pixel_aspect: float | None = None) -> Field:
 
 
 def as_path(path: object, what: str) -> Path:
-    """A path.
-
-    Raises:
-        UsageError: it is none; ``what`` says of what.
-    """
+    """A path; UsageError for what is none, ``what`` says of what."""
     if isinstance(path, str | Path):
         return Path(path)
     raise UsageError(f"expected the path of {what}, found {kind_of(path)}")
@@ -210,22 +184,15 @@ def as_optional_size(size: Any) -> tuple[int, int] | None:
 
 
 def as_picture(picture: object) -> PixelArray:
-    """(H, W, 4) BGRA of a picture's file or its pixels.
-
-    Raises:
-        UsageError: it is no picture. ImageError: it cannot be read.
-    """
+    """(H, W, 4) BGRA of a picture's file or its pixels; UsageError for what is none, ImageError
+    for a file that cannot be read."""
     if isinstance(picture, str | Path):
         return decode_bgra(Path(picture))
     return as_pixels(picture)
 
 
 def as_pixels(picture: object) -> PixelArray:
-    """(H, W, 4) BGRA of a picture's pixels.
-
-    Raises:
-        UsageError: they are none.
-    """
+    """(H, W, 4) BGRA of a picture's pixels; UsageError for what are none."""
     right = isinstance(picture, np.ndarray) and picture.dtype == np.uint8 and picture.ndim == 3
     if not isinstance(picture, np.ndarray) or not right or picture.shape[2] not in (3, 4):
         raise UsageError(
@@ -238,11 +205,7 @@ def as_pixels(picture: object) -> PixelArray:
 
 
 def dataframe(rows: Sequence[Mapping[str, Any]]) -> pandas.DataFrame:
-    """Rows as a pandas DataFrame.
-
-    Raises:
-        UsageError: pandas is not installed.
-    """
+    """Rows as a pandas DataFrame; UsageError where pandas is not installed."""
     try:
         import pandas
     except ImportError:

@@ -97,9 +97,9 @@ def load_dataset(
     Args:
         path: its folder, of pictures, annotations or both; an archive or file of annotations; a
             video, whose frames' annotations lie next to it.
-        field: its elements, metres; or a field's name, see `load_field`; if None the one that the
-            dataset says it shows, and the usual one (SoccerNet's classes) where it does not say.
-        on_damaged: called for each annotation that cannot be used, which is then left out; None:
+        field: as of `evaluate`; if None the one that the dataset says it shows, and the usual one
+            where it does not say.
+        on_damaged: called for each file or frame that cannot be used, which is then left out; None:
             the first one is raised.
         labels: a file ``labels.toml`` that says which classes the names of another program stand
             for; None: the dataset's own, if it has one.
@@ -145,9 +145,7 @@ def load_annotations(
             program reads; or a dataset's folder with its annotations in ``annotations/``.
         field: knows the official spellings of the classes; or its name, see `load_field`; the
             usual one if None.
-        on_damaged: called for each frame or file that cannot be used, which is then left out; None:
-            the first one is raised.
-        labels: as of `load_dataset`.
+        on_damaged, labels: as of `load_dataset`.
 
     Returns:
         Frame name -> its annotation, see `load_annotation`, in natural order.
@@ -172,9 +170,7 @@ def load_annotation(
     Args:
         path: a file of any annotation format the program reads, or a folder or zip archive with
             one such file; it must hold exactly one frame.
-        field: knows the official spellings of the classes; or its name, see `load_field`; the
-            usual one if None.
-        labels: as of `load_dataset`.
+        field, labels: as of `load_annotations`.
 
     Returns:
         The polylines by class, in the order of the file. Points are normalised: (0, 0) is the
@@ -218,8 +214,7 @@ def load_cameras(
         path: a folder or zip archive of camera files, or a file of many cameras, of any format the
             program reads.
         format: what the files are, as ``--camera-format`` names it; ``auto`` to look into them.
-        on_damaged: called for each camera that cannot be used, which is then left out; None: the
-            first one is raised.
+        on_damaged: as of `load_dataset`.
 
     Returns:
         Frame name -> its camera with the picture size (px) that it belongs to, in natural order;

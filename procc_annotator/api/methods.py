@@ -95,8 +95,7 @@ def save_projection(
             cameras, or a function that returns the camera of a frame's name; or the path of camera
             files.
         frames: names of the frames to write; those of ``cameras`` if None.
-        field: the elements, metres; or a field's name, see `load_field`; the usual one if None.
-            The files are refused for another field.
+        field: as of `evaluate`. The files are refused for another field.
         size: (width, height) px at which they are to be evaluated.
         camera_size: as of `evaluate`.
         overwrite: whether files that are there may be replaced.

@@ -102,11 +102,7 @@ class SetScore:
         ]
 
     def to_dataframe(self) -> pandas.DataFrame:
-        """The rows of `rows` as a pandas DataFrame.
-
-        Raises:
-            UsageError: pandas is not installed.
-        """
+        """The rows of `rows` as a pandas DataFrame; a UsageError where pandas is not installed."""
         return dataframe(self.rows())
 
     def mean_curve(self) -> tuple[FloatArray, FloatArray]:
@@ -171,11 +167,7 @@ class SetScore:
 
         Args:
             other: of the same annotations and thresholds.
-            cluster: as of `intervals`.
-            method: as of `intervals`.
-            draws: as of `intervals`.
-            seed: as of `intervals`.
-            level: as of `intervals`.
+            cluster, method, draws, seed, level: as of `intervals`.
 
         Returns:
             Threshold (px) -> key (``mean_jac``, ``final_score``, ``mean_error``, ``completeness``)
@@ -255,19 +247,12 @@ def evaluate_set(
             of the frames, a function of the frame's name, or the path of camera files.
             Annotated frames without a camera, or whose camera is None or a fit that failed, lower
             the completeness; cameras of frames that are not annotated are not counted.
-        field: the elements, metres; or a field's name, see `load_field`; if None that of the
-            dataset, and the usual one (SoccerNet's classes, nominal size) for other annotations.
+        field: as of `evaluate`; if None that of the dataset, and the usual one for other
+            annotations.
         size: (width, height) px at which annotations and cameras are compared; cameras are scaled
             to it.
-        camera_size: (width, height) px that the cameras belong to, where they are no fits and their
-            files do not say it; ``size`` if None (1280x720 for files of homographies).
         thresholds: px; compared strictly.
-        protocol: ``soccernet`` or ``procc``.
-        allow_mirrored: whether labels of the turned field may count, where they fit better; for
-            ``procc`` only, ``soccernet`` always considers them.
-        off_plane: how elements off the ground count for a camera that knows only the ground:
-            ``missed`` or ``left_out``.
-        planar_only: whether elements off the ground are left out for every camera.
+        camera_size, protocol, allow_mirrored, off_plane, planar_only: as of `evaluate`.
 
     Returns:
         The figures of the set by threshold, the scores of its frames, and both as tables.

@@ -264,11 +264,7 @@ def _fit_jointly(
 
 def _check_out(out: Path, source: FileSource, *, overwrite: bool, positions: bool) -> None:
     """Fail before the work: nothing may be written over what is read or among it, or over cameras
-    no one asked to replace.
-
-    Args:
-        positions: a table of positions is to be written too.
-    """
+    (with ``positions`` also a table of positions) no one asked to replace."""
     if is_archive(out):
         if out.is_dir():
             raise UsageError(f"{out}: is a folder, an archive is asked for")

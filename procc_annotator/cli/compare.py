@@ -212,11 +212,7 @@ def compare(given: CompareOptions) -> None:
 def open_sources(
     texts: Sequence[str], camera_size: tuple[int, int] | None, field: Field
 ) -> list[CameraSet]:
-    """The sources.
-
-    Raises:
-        UsageError: a source that is none, or two of one name.
-    """
+    """The sources; UsageError for one that is none, or two of one name."""
     opened = []
     for spec in parse_sources(texts):
         if not spec.path.exists():
@@ -258,12 +254,8 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     """Names of a dataset's frames, and the pictures of those that have one; a note on stderr if its
     classes are not the field's.
 
-    The frames are those of the pictures; if absent, those of the annotations; None
-    without a dataset.
-
-    Raises:
-        UsageError: no such dataset, or nothing in it.
-    """
+    The frames are those of the pictures; if absent, those of the annotations; None without a
+    dataset. UsageError for no such dataset, or nothing in it."""
     if dataset is None:
         return None, {}
     if not dataset.exists():

@@ -80,11 +80,8 @@ def data_home() -> Path:
 
 
 def entry_files() -> dict[str, bytes]:
-    """Return what is installed: its place below the data folder, and its content.
-
-    Raises:
-        InputError: the installation of the program is incomplete.
-    """
+    """Return what is installed: its place below the data folder, and its content. InputError if the
+    installation of the program is incomplete."""
     source = resources_dir() / "desktop"
     try:
         entry = (source / f"{ID}.desktop").read_text(encoding="utf-8")

@@ -26,12 +26,8 @@ _OF_FRAME = re.compile(r"(.*?: )frame (\d+)(: .*)")
 
 
 def condense_problems(problems: Iterable[str]) -> list[str]:
-    """The problems, those of more than a few files, or places of a file, that have the same words
-    in one line.
-
-    Args:
-        problems: each ``file: what is wrong`` or ``file: place: what is wrong``.
-    """
+    """The problems (``file: what is wrong`` or ``file: place: what is wrong``), those of more than
+    a few files, or places of a file, that have the same words in one line."""
     return _condensed(_condensed(_by_frames(dict.fromkeys(problems)), _by_file), _by_place)
 
 

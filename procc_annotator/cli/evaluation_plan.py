@@ -60,26 +60,16 @@ Submission = Annotated[
 
 
 def submitted_source(path: Path) -> str:
-    """The submission as a source of cameras, named as its manifest says.
-
-    Raises:
-        InputError: it is no submission of polylines.
-    """
+    """The submission as a source of cameras, named as its manifest says; InputError if it is no
+    submission of polylines."""
     return f"{method_of(read_manifest(path))}:{POLYLINES}={path}"
 
 
 def require_submitted_for(
     path: Path, setup: EvaluationSetup, frames: Mapping[str, Collection[str]]
 ) -> None:
-    """Refuse a submission that was made for something else.
-
-    Args:
-        setup: what it is to be evaluated with.
-        frames: names of the annotated frames of the set.
-
-    Raises:
-        UsageError: what differs.
-    """
+    """Raise UsageError for a submission that was made for another setup or for other annotated
+    frames (names by set)."""
     every = [name for names in frames.values() for name in names]
     require_made_for(
         path, read_manifest(path), protocol=setup.protocol,
@@ -115,11 +105,8 @@ class Plan:
         camera_format: str,
         labels: Path | None = None,
     ) -> Plan:
-        """Read the arguments.
-
-        Raises:
-            UsageError: something is missing or given twice, or two have the same name.
-        """
+        """Read the arguments; UsageError if something is missing or given twice, or two have the
+        same name."""
         if (annotations is None) == (not sets):
             raise UsageError(
                 "annotations are needed: ANNOTATIONS for one set,"
@@ -145,11 +132,7 @@ class Plan:
         return cls(chosen, methods, bool(sets or sources), labels)
 
     def fields(self, named: str | None, lines: str | None) -> dict[str, Field]:
-        """The field of each set: the one of the options, or else the set's own.
-
-        Raises:
-            FieldError: a field cannot be used.
-        """
+        """The field of each set: the one of the options, or else the set's own."""
         return {name: chosen_field(named, path, lines=lines) for name, path in self.sets}
 
     def open(
@@ -164,18 +147,11 @@ class Plan:
     ) -> list[EvaluationRequest]:
         """Open everything; one evaluation a set, method and setup, in this order.
 
-        A camera that names no picture size cannot belong to several: unless stated, it belongs to
-        that of the first setup, as it does where this is the only one.
+        A camera that names no picture size cannot belong to several: unless ``camera_size`` states
+        it, it belongs to that of the first setup, as it does where this is the only one. The fields
+        of the sets take the place of the setups' own.
 
-        Args:
-            files: closes it all.
-            fields: of each set; it takes the place of the setups' own.
-            by: what to group frames by.
-            camera_size: picture size the cameras refer to, where their files do not say.
-
-        Raises:
-            UsageError, InputError: something is not there or cannot be listed.
-        """
+        Raises UsageError or InputError for what is not there or cannot be listed."""
         first = setups[0].size if len(setups) > 1 else None
         asked: list[EvaluationRequest] = []
         for set_name, path in self.sets:

@@ -42,11 +42,8 @@ _ADVICE = "expected what `agree A B --output FILE.json` writes"
 
 
 def noise_from(path: Path, seed: int) -> ClickNoise:
-    """One annotator's standard deviation, from the median distance of every two.
-
-    Raises:
-        InputError: it cannot be read, or is no agreement, or none with any distance.
-    """
+    """One annotator's standard deviation, from the median distance of every two; InputError for a
+    file that is no agreement, or has no distance."""
     content = decode_as(read_file(path), object, "JSON", path=path)
     size, floor = _member(content, "size"), _member(content, "summary", "noise_floor")
     if not (isinstance(size, list) and len(size) == 2 and all(type(n) is int for n in size)):
@@ -180,11 +177,8 @@ OverTimeOutput = Annotated[
 def temporal_request(
     wanted: bool, shots: Path | None, pictures: Path | None = None, output: list[Path] | None = None
 ) -> TemporalRequest | None:
-    """The request for temporal metrics, if they are wanted.
-
-    Raises:
-        UsageError: a file that cannot be written, or options without --over-time.
-    """
+    """The request for temporal metrics, if they are wanted; UsageError for a file that cannot be
+    written, or options without --over-time."""
     if not wanted:
         if shots or pictures or output:
             raise UsageError("--shots, --pictures and --over-time-output need --over-time")
@@ -224,15 +218,8 @@ class IntervalOptions:
         seed: int,
         shots: Path | None,
     ) -> InferenceSettings:
-        """Return what is asked.
-
-        Args:
-            annotations: set -> its folder or archive.
-            by: what to break differences down by. shots: a table of frames.
-
-        Raises:
-            UsageError, InputError: no such tag; a table of frames that cannot be used.
-        """
+        """Return the settings of inference, with differences by ``by``, and shots by a table of
+        frames or by those of the sets. Raises as `clustering`."""
         return InferenceSettings(
             cluster_of(self.cluster, tags),
             tags,
@@ -246,11 +233,7 @@ class IntervalOptions:
 
 
 def cluster_of(name: str | None, tags: Tags | None) -> str | None:
-    """Return what to cluster by, if it is there.
-
-    Raises:
-        UsageError: there is no such tag.
-    """
+    """Return what to cluster by; UsageError if there is no such tag."""
     columns = () if tags is None else tags.columns
     if name not in (None, SHOT, NONE, *columns):
         there = ", ".join((SHOT, NONE, *columns))
@@ -262,16 +245,11 @@ def cluster_of(name: str | None, tags: Tags | None) -> str | None:
 def clustering(
     tags: Path | None, by: str | None, datasets: Iterable[Path]
 ) -> Callable[[Sequence[str]], Clusters]:
-    """Return what finds the clusters of frames: by a tag, or by shots.
+    """Return what finds the clusters of frames: by a tag, ``shot`` or ``none``; None for shots if
+    there are any.
 
-    Args:
-        tags: file of tags.
-        by: a tag, ``shot`` or ``none``; None for shots if there are any.
-        datasets: the first one that has a table of frames gives the shots; else names do.
-
-    Raises:
-        UsageError, InputError: no such tag; a file that cannot be used.
-    """
+    The first dataset that has a table of frames gives the shots; else names do. Raises UsageError
+    for no such tag, InputError for a file that cannot be used."""
     read = None if tags is None else Tags.read(tags)
     cluster = cluster_of(by, read)
     values = {} if read is None else read.values(cluster, "")
@@ -284,11 +262,8 @@ def groups_asked(
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return what ``--by`` asks for: tags and the model, and what annotations and cameras say.
 
-    Without it every tag is meant but the one that frames are clustered by.
-
-    Raises:
-        UsageError: there is no such tag.
-    """
+    Without it every tag is meant but the one that frames are clustered by. UsageError if there is
+    no such tag."""
     columns = () if tags is None else tags.columns
     if by is None:
         by = [name for name in columns if name != cluster]
@@ -297,11 +272,8 @@ def groups_asked(
 
 
 def orders_by_set(annotations: Mapping[str, Path], shots: Path | None) -> dict[str, FrameOrder]:
-    """Set -> its table of frames: the one given, or that of its dataset, if it has one.
-
-    Raises:
-        InputError: a table that cannot be used.
-    """
+    """Set -> its table of frames: the one given, or that of its dataset, if it has one; InputError
+    for a table that cannot be used."""
     found = {}
     for of_set, path in annotations.items():
         folder = folder_of_dataset(path)
@@ -319,11 +291,8 @@ def noise_file(text: str | None) -> Path | None:
 
 
 def annotation_noise(text: str, seed: int) -> ClickNoise:
-    """The noise that the option names.
-
-    Raises:
-        UsageError: a number out of range. InputError: a file that is no agreement.
-    """
+    """The noise that the option names; UsageError for a number out of range, InputError for a file
+    that is no agreement."""
     file = noise_file(text)
     if file is not None:
         return noise_from(file, seed)

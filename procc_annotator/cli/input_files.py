@@ -131,19 +131,10 @@ def annotated_frames(
     path: Path, field: Field, annotations: Path | None = None, labels: Path | None = None
 ) -> Iterator[tuple[AnnotatedFrames, FileSource | None]]:
     """The frames of a dataset; of annotations of any format where there is no picture, or where a
-    map says what their labels stand for.
+    map (``labels``, else the dataset's own) says what their labels stand for.
 
-    Args:
-        path, field, annotations: as of `open_dataset`.
-        labels: such a map; None: the dataset's own, if it has one.
-
-    Yields:
-        Them, and what they are read from where that is not a dataset with pictures.
-
-    Raises:
-        UsageError: no such folder, or nothing annotated in it.
-        InputError: annotations that cannot be opened or listed, or the map cannot be used.
-    """
+    Yields them, and what they are read from where that is not a dataset with pictures; raises as
+    `open_dataset`."""
     pictured = _is_pictured(path)
     names = own_label_map(path, field) if labels is None else read_label_map(labels, field)
     if (pictured and names is None) or not path.exists():
@@ -161,11 +152,7 @@ def open_cameras(
     path: Path | None, camera_format: str, camera_size: tuple[int, int] | None, field: Field
 ) -> CameraSet | None:
     """The cameras, if any were asked for, of pictures that show a field; remarks on their files go
-    to stderr.
-
-    Raises:
-        UsageError: no such folder or file, or no camera in it.
-    """
+    to stderr. UsageError for no such folder or file, or no camera in it."""
     if path is None:
         return None
     if not path.exists():

@@ -25,12 +25,8 @@ from procc_annotator.version import __version__
 
 
 def with_options(command: Callable[..., None]) -> Callable[..., None]:
-    """A command as typer reads it: each parameter that is a class of options becomes those.
-
-    Args:
-        command: its parameters are options, or dataclasses whose fields are options or such classes
-            again, in the order of its help.
-    """
+    """A command as typer reads it: its parameters are options, or dataclasses whose fields are
+    options or such classes again, each of which becomes those, in the order of its help."""
     hints = get_type_hints(command, include_extras=True)
     groups = {name: hint for name, hint in hints.items() if is_dataclass(hint)}
     parameters = [

@@ -66,11 +66,7 @@ class Manifest:
 
 
 def read_manifest(path: Path) -> Manifest:
-    """Read a manifest.
-
-    Raises:
-        InputError: it cannot be read, or is no manifest.
-    """
+    """Read a manifest; InputError if it cannot be read, or is none."""
     data = read_file(path)
     kind = decode_as(data, dict[str, Any], "manifest", path=path).get("format")
     if kind != FORMAT:
@@ -185,11 +181,8 @@ class ManifestOfRun:
 
     @classmethod
     def of(cls, context: typer.Context, path: Path | None) -> ManifestOfRun | None:
-        """Prepare the file that was asked for, if one was.
-
-        Raises:
-            UsageError, SaveError: the file cannot be written there.
-        """
+        """Prepare the file that was asked for, if one was; UsageError or SaveError if it cannot be
+        written there."""
         if path is None:
             return None
         outputs.check_output_folder(path)
@@ -199,14 +192,8 @@ class ManifestOfRun:
     def write(
         self, runs: Sequence[EvaluationRequest], over_time: Mapping[str, Any] | None = None
     ) -> None:
-        """Write the file; the inputs are still open.
-
-        Args:
-            over_time: metrics that the temporary file does not hold.
-
-        Raises:
-            InputError: the metrics were not written. SaveError: the manifest cannot be written.
-        """
+        """Write the file, with metrics that the temporary file does not hold; the inputs are still
+        open. InputError if the metrics were not written, SaveError if the manifest cannot be."""
         metrics = decode_as(read_file(self.metrics), dict[str, Any], "metrics", path=self.path)
         if over_time:
             own = json_bytes(over_time)

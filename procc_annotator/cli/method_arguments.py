@@ -54,25 +54,15 @@ def parse_source(text: str, default_format: str = "auto") -> SourceSpec:
 
 
 def parse_sources(texts: Iterable[str], default_format: str = "auto") -> tuple[SourceSpec, ...]:
-    """Read several sources, in the order given.
-
-    Raises:
-        UsageError: see `parse_source`, or two of the same name.
-    """
+    """Read several sources, in the order given; UsageError as of `parse_source`, or for two of the
+    same name."""
     sources = tuple(parse_source(text, default_format) for text in texts)
     require_distinct((source.name for source in sources), "sources of cameras")
     return sources
 
 
 def parse_named(text: str, form: str) -> tuple[str, Path]:
-    """Read ``NAME=PATH``.
-
-    Args:
-        form: what was expected, for the message.
-
-    Raises:
-        UsageError: it is something else.
-    """
+    """Read ``NAME=PATH``; UsageError for something else than ``form``, which it names."""
     name, equals, path = text.partition("=")
     if not equals:
         raise UsageError(f"{text!r}: expected {form}")
@@ -80,11 +70,7 @@ def parse_named(text: str, form: str) -> tuple[str, Path]:
 
 
 def require_distinct(names: Iterable[str], what: str) -> None:
-    """Check that no name occurs twice: the results could not be distinguished.
-
-    Raises:
-        UsageError: one does.
-    """
+    """Raise UsageError if a name occurs twice: the results could not be distinguished."""
     twice = [name for name, count in Counter(names).items() if count > 1]
     if twice:
         raise UsageError(f"two {what} are called {twice[0]!r}: give each its own name, NAME=PATH")

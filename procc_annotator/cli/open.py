@@ -44,18 +44,11 @@ _INSTALL = {
 
 
 def require_qt_libraries(folder: Path | None = None) -> None:
-    """Refuse to open the window where system libraries are missing, with the line that installs
-    them: Qt would end the process with a list of its plugins.
+    """Refuse to open the window (UsageError) where system libraries are missing, with the line that
+    installs them: Qt would end the process with a list of its plugins.
 
-    Nothing is done on other systems, nor if Qt is not found. What is loaded here Qt would load a
-    moment later.
-
-    Args:
-        folder: Qt's, with ``lib`` and ``plugins``; None finds it.
-
-    Raises:
-        UsageError: what is missing.
-    """
+    Nothing is done on other systems, nor if Qt's folder (with ``lib`` and ``plugins``) is not
+    found. What is loaded here Qt would load a moment later."""
     qt = folder or _qt_folder()
     if qt is None or not sys.platform.startswith("linux"):
         return

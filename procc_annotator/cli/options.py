@@ -71,11 +71,8 @@ def _named_field(text: str) -> Field:
 
 
 def named_field(text: str) -> tuple[str, dict[str, float]]:
-    """Return what the option names: a field, and dimensions in metres by name.
-
-    Raises:
-        UsageError: dimensions that are not written as ``name=metres``.
-    """
+    """Return what the option names: a field, and dimensions in metres by name; UsageError for
+    dimensions that are not written as ``name=metres``."""
     name, colon, given = text.rpartition(":")
     if not name or ("=" not in given and not _is_dimension(name, colon, given)):
         return text, {}
@@ -184,11 +181,7 @@ DEFAULT_SIZE = "960x540"
 
 
 def parse_size(text: str) -> tuple[int, int]:
-    """``960x540`` as (960, 540).
-
-    Raises:
-        typer.BadParameter: anything else.
-    """
+    """``960x540`` as (960, 540); typer.BadParameter for anything else."""
     found = re.fullmatch(r"\s*(\d{1,6})\s*[xX×]\s*(\d{1,6})\s*", text, re.ASCII)
     if found is None or min(int(found[1]), int(found[2])) < 2:
         raise typer.BadParameter(f"{text!r} is not WIDTHxHEIGHT in pixels, e.g. 960x540")
@@ -410,20 +403,12 @@ Dask = Annotated[
 
 
 def label_map(path: Path | None, field: Field) -> LabelMap | None:
-    """The map that ``--map`` names; None leaves it to the dataset.
-
-    Raises:
-        InputError: it cannot be used.
-    """
+    """The map that ``--map`` names, or InputError; None leaves it to the dataset."""
     return None if path is None else read_label_map(path, field)
 
 
 def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
-    """The thresholds asked for, or 5 px.
-
-    Raises:
-        UsageError: one that is not a positive number.
-    """
+    """The thresholds asked for, or 5 px; UsageError for one that is not a positive number."""
     return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
 
 
@@ -457,11 +442,7 @@ def setup_for(
     mirrored: bool,
     planar_only: bool = False,
 ) -> EvaluationSetup:
-    """The same on a field that is known.
-
-    Raises:
-        UsageError: options that contradict each other, an unknown protocol.
-    """
+    """The same on a field that is known."""
     if mirrored and protocol == "soccernet":
         raise UsageError(
             "--mirrored is for --protocol procc: soccernet always considers mirrored labels"

@@ -34,11 +34,8 @@ def each_once(paths: Iterable[Path]) -> list[Path]:
 
 
 def figure_files(paths: Iterable[Path] | None) -> list[Path]:
-    """The files that figures go to, each once.
-
-    Raises:
-        UsageError: one is neither ``.json`` nor ``.csv``, or cannot be written where it is named.
-    """
+    """The files that figures go to, each once; UsageError for one that is neither ``.json`` nor
+    ``.csv``, or cannot be written where it is named."""
     files = each_once(paths or ())
     for path in files:
         score_format(path)
@@ -47,24 +44,17 @@ def figure_files(paths: Iterable[Path] | None) -> list[Path]:
 
 
 def check_output_folder(path: Path) -> None:
-    """Make the folder of an output file if absent; fail before the work, not after it.
-
-    Raises:
-        UsageError: the output is a folder.
-        SaveError: its folder cannot be made.
-    """
+    """Make the folder of an output file if absent, before the work; UsageError if the output is a
+    folder, SaveError if its folder cannot be made."""
     if path.is_dir():
         raise UsageError(f"{path}: is a folder, a file name is needed")
     make_folder(path.parent)
 
 
 def check_not_inputs(paths: Iterable[Path], inputs: Iterable[Input]) -> None:
-    """Output files must never replace what is being read, nor be read with it the next time.
-
-    Raises:
-        UsageError: an output is one of the files of an input or its archive, under this name or
-            another; or it would be a new ``.json`` among the files of one.
-    """
+    """Raise UsageError for an output that is one of the files of an input or its archive, under
+    this name or another, or that would be a new ``.json`` among the files of one, to be read with
+    it the next time."""
     opened = list(inputs)
     for path in paths:
         if path.exists():
@@ -83,23 +73,15 @@ def _is_same(file: str, other: os.stat_result) -> bool:
 
 
 def check_folder_apart(folder: Path, inputs: Iterable[Input]) -> None:
-    """Files must not be written among those that are being read.
-
-    Raises:
-        UsageError: the files of an input lie directly in this folder.
-    """
+    """Raise UsageError if the files of an input lie directly in a folder that is written to."""
     target = os.path.realpath(folder)
     if any(target in _folders(one) for one in inputs):
         raise UsageError(f"{folder}: holds the files to be read, write to another folder")
 
 
 def check_no_annotations(folder: Path) -> None:
-    """Cameras must not be written among annotations, of whatever set.
-
-    Raises:
-        UsageError: the folder holds an annotation.
-        InputError: it cannot be listed.
-    """
+    """Raise UsageError for a folder of annotations, of whatever set: no cameras are written there.
+    InputError if it cannot be listed."""
     field = load_field()  # points are points, whatever the field
     with open_source(folder) as source:
         files = [f for f in list_annotations(source).values() if "/" not in f]
@@ -117,29 +99,16 @@ def check_no_annotations(folder: Path) -> None:
 def holds_cameras(
     out: Path, frames: Iterable[str], kinds: Iterable[str] = (f"{CAMERA_PREFIX}*.json",)
 ) -> bool:
-    """Return whether cameras, of whatever frames, lie in a folder that those of some frames would
-    go to.
-
-    Args:
-        out: the folder, which need not be there.
-        frames: their names; those of a tree go to folders of it.
-        kinds: of files, by name.
-    """
+    """Return whether cameras, of whatever frames, lie in a folder (which need not be there) that
+    those of some frames would go to: frames of a tree go to folders of it."""
     folders = {"", *(frame.rpartition("/")[0] for frame in frames)}
     found = (place for folder in folders for kind in kinds for place in (out / folder).glob(kind))
     return any(True for _ in found)
 
 
 def check_replaces_nothing(out: Path, names: Iterable[str], *, overwrite: bool) -> None:
-    """Fail before the work where files are there that no one asked to replace.
-
-    Args:
-        out: a folder, or an archive if it ends in ``.zip``.
-        names: what is to be written into a folder.
-
-    Raises:
-        UsageError: such files are there.
-    """
+    """Raise UsageError before the work where files are there that no one asked to replace: an
+    archive, if ``out`` ends in ``.zip``, else the named files of a folder."""
     if overwrite:
         return
     if is_archive(out):
@@ -198,11 +167,8 @@ def check_is_folder(out: Path) -> None:
 
 
 def check_camera_folder(out: Path, inputs: Iterable[Path | None]) -> None:
-    """Fail before cameras are found for a folder that cannot be theirs.
-
-    Raises:
-        UsageError: OUT is no folder, or holds pictures, annotations or what else is read.
-    """
+    """Fail before cameras are found (UsageError) if OUT is no folder, or holds pictures,
+    annotations or what else is read."""
     check_is_folder(out)
     for given in inputs:
         if given is not None and given.is_dir():

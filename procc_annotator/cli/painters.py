@@ -31,11 +31,8 @@ def missing_qt() -> str:
 
 
 def overlay_painter(suffix: str, look: OverlayLook | None = None) -> OverlayPainter:
-    """Paints overlays as ``.png``, ``.jpg`` or ``.svg``; says once on stderr if it is without Qt.
-
-    Raises:
-        UsageError: another suffix.
-    """
+    """Paints overlays as ``.png``, ``.jpg`` or ``.svg`` (UsageError for another suffix); says once
+    on stderr if it is without Qt."""
     if _can_paint():
         from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
 

@@ -34,29 +34,17 @@ def report_remarks(remarks: Iterable[str]) -> None:
 
 
 def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch | None:
-    """One line on stderr where the field does not know most classes of a set, or another knows
-    more of them; and one where files among the annotations are none.
+    """One line on stderr where the field does not know most classes of a set, or another knows more
+    of them; and one where files among the annotations are none. Returns what was said.
 
-    Args:
-        source: annotations.
-        field: what they are taken for.
-        of: which set it is, where there are several.
-
-    Returns:
-        What was said.
-    """
+    Of several sets, ``of`` names this one in front of each line."""
     report_remarks(f"{of}{notice}" for notice in list_annotations(source).notices)
     unknown = source.unknown if isinstance(source, ReadSource) else {}
     return report_mismatch_of(classes_of_source(source, field), field, source.path, of, unknown)
 
 
 def report_camera_names(source: FileSource, of: str = "") -> None:
-    """One line on stderr where pictures bear a camera's name, so that a set lacks their frames.
-
-    Args:
-        source: annotations.
-        of: as of `report_mismatch`.
-    """
+    """One line on stderr where pictures bear a camera's name, so that a set lacks their frames."""
     if remark := camera_name_remark_in(source.path):
         echo(f"note: {of}{remark}", err=True)
 
@@ -68,15 +56,10 @@ def report_mismatch_of(
     of: str = "",
     unknown: Mapping[str, int] | None = None,
 ) -> Mismatch | None:
-    """The same of classes that are known.
+    """The same of classes that are known, as they are named in files.
 
-    Args:
-        classes: names as in files.
-        field: what they are taken for.
-        place: where they are from; the field of that dataset may fit better.
-        of: as of `report_mismatch`.
-        unknown: labels of another program that stand for no class, and how many shapes have them.
-    """
+    The field of the dataset they are from (``place``) may fit better. ``unknown``: labels of
+    another program that stand for no class, and how many shapes have them."""
     mismatch, own = mismatch_at(classes, field, place)
     if unknown and (mismatch is None or mismatch.better is None):
         report_remarks([f"{of}{place}: {_unknown_words(unknown, field)}"])
@@ -107,10 +90,7 @@ def _unknown_words(unknown: Mapping[str, int], field: Field) -> str:
 def mismatch_at(
     classes: Collection[str], field: Field, place: Path
 ) -> tuple[Mismatch | None, Field | None]:
-    """Return the remark on the classes of a set, and the field that its dataset says it shows.
-
-    Args: as of `report_mismatch_of`.
-    """
+    """Return the remark on the classes of a set, and the field that its dataset says it shows."""
     mismatch = mismatch_of(classes, field)
     if mismatch is None:
         return None, None

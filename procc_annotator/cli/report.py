@@ -280,12 +280,8 @@ def dataset_name(dataset: Path) -> str:
 def annotation_place(
     dataset: Path, field: Field, annotations: Path | None
 ) -> tuple[Path, dict[str, Path]]:
-    """Return where the annotations of a dataset are, and its pictures by frame name.
-
-    Raises:
-        UsageError: no such dataset or folder.
-        InputError: a folder that cannot be listed.
-    """
+    """Return where the annotations of a dataset are, and its pictures by frame name; UsageError for
+    no such dataset or folder, InputError for a folder that cannot be listed."""
     for given in (dataset, annotations):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")

@@ -26,17 +26,8 @@ class FittedFrames:
 
 
 def fit_sizes(source: FileSource, place: Path, dataset: Path, size: str | None) -> FitSizes:
-    """Return what each frame of a set is fitted at.
-
-    Args:
-        source: the annotations, open.
-        place: where they are.
-        dataset: as the user named it.
-        size: of the option, if it was given.
-
-    Raises:
-        UsageError: there is nothing to fit.
-    """
+    """Return what each frame of a set is fitted at, by the option's size or by the pictures of the
+    dataset; UsageError if there is nothing to fit."""
     names = (name for name, _ in annotation_files(source))
     return FitSizes.of(shown_size(size), dataset, place, names)
 
@@ -52,22 +43,13 @@ def fit_set(
     dask: str | None,
     kept: Checkpoint | None = None,
 ) -> FittedFrames:
-    """Fit every frame of a set by itself, with a progress bar.
+    """Fit every frame of a set (open annotations) by itself, with a progress bar.
 
-    Args:
-        source: the annotations, open.
-        dataset: as the user named it; in a file of groups for several sets it is called so.
-        setup: its field is fitted for.
-        sizes: what each frame is fitted at.
-        model: P, R, R+ or auto.
-        groups: CSV file of groups, if any.
-        workers, dask: see `make_executor`.
-        kept: what was done before, and where the rest is kept.
+    In a file of groups for several sets, the set is called like the dataset as the user named it.
+    ``kept``: what was done before, and where the rest is kept.
 
-    Raises:
-        UsageError: there is nothing to fit, or a model that has no position.
-        InputError: the file of groups cannot be used.
-    """
+    Raises UsageError for nothing to fit or a model that has no position, InputError for a file of
+    groups that cannot be used."""
     known = None if groups is None else read_groups(groups, set_name_of(dataset))
     fits = SetFits(source, setup.field, sizes, model, known)
     with make_executor(workers, dask, frames=fits.total, worth_from=WORTH_WORKERS) as executor:

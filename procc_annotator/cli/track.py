@@ -204,11 +204,8 @@ def _number_of(text: str, pictures: PictureSource) -> int:
 
 
 def _table(out: Path, names: tuple[str, ...], *, overwrite: bool) -> TrackTable:
-    """The table in OUT; a new one in place of one of something else.
-
-    Raises:
-        UsageError: OUT holds cameras without a table.
-    """
+    """The table in OUT; a new one in place of one of something else. UsageError if OUT holds
+    cameras without a table."""
     if not overwrite and not (out / TABLE_FILE).exists() and outputs.holds_cameras(out, names):
         raise UsageError(
             f"{out}: holds cameras but no {TABLE_FILE}; choose another place, or --overwrite to"

@@ -123,12 +123,8 @@ def check_values(model: str, click_px: float | None) -> None:
 
 
 def add_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) -> LandmarkFile:
-    """With measured positions; what else is known of the landmarks stays.
-
-    Raises:
-        UsageError: one that is not written as ``NAME=X,Y,Z``, cannot be, moves, or is a class of
-            the field.
-    """
+    """With measured positions; what else is known of the landmarks stays. UsageError for one that
+    is not written as ``NAME=X,Y,Z``, cannot be, moves, or is a class of the field."""
     for text in measured:
         try:
             name, position = dataset_landmarks.parse_surveyed(text)
@@ -142,11 +138,8 @@ def add_surveyed(known: LandmarkFile, measured: Iterable[str], field: Field) -> 
 def named_in_options(
     surveyed: Sequence[str], moving: Sequence[str], field: Field
 ) -> dict[str, str]:
-    """The landmarks that options name, and the option that does.
-
-    Raises:
-        UsageError: one that has two places, or one and moves; one that is a class of the field.
-    """
+    """The landmarks that options name, and the option that does. UsageError for one that has two
+    places, or one and moves, or is a class of the field."""
     named: dict[str, str] = {}
     for text in surveyed:
         name, _ = dataset_landmarks.parse_surveyed(text)
@@ -169,11 +162,7 @@ def named_in_options(
 
 
 def target_file(dataset: Path, output: Path | None) -> Path:
-    """Return where the landmarks are written to.
-
-    Raises:
-        UsageError: nowhere.
-    """
+    """Return where the landmarks are written to, or raise UsageError."""
     if output is not None:
         if output.suffix.lower() != ".json":
             raise UsageError(f"{output}: landmarks are written as .json, end the name so")

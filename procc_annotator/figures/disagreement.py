@@ -59,11 +59,7 @@ class DisagreementPainter:
         self._suffix = suffix
 
     def __call__(self, scene: ComparisonScene) -> bytes:
-        """The encoded figure.
-
-        Raises:
-            ImageError: the frame's picture cannot be decoded.
-        """
+        """The encoded figure; ImageError if the frame's picture cannot be decoded."""
         pixels = _background(scene)
         with figure_style():
             figure = _figure(scene, pixels)

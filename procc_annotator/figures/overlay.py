@@ -95,11 +95,7 @@ def scene_content(scene: Scene, pixels: NDArray[np.uint8]) -> OverlayContent:
 
 
 def resized(pixels: NDArray[np.uint8], scale: float) -> NDArray[np.uint8]:
-    """A picture at another scale.
-
-    Raises:
-        UsageError: the result would be too large.
-    """
+    """A picture at another scale; UsageError if the result would be too large."""
     height, width = (max(1, round(extent * scale)) for extent in pixels.shape[:2])
     check_pixels(width, height)
     if (height, width) == pixels.shape[:2]:
@@ -134,11 +130,8 @@ def figure_pixels(figure: Figure) -> NDArray[np.uint8]:
 
 
 def figure_file(figure: Figure, suffix: str, dpi: float = _DPI) -> bytes:
-    """A figure as ``.svg``, ``.pdf``, ``.png`` or ``.jpg``, without the time it was made.
-
-    Args:
-        dpi: pixels per inch of what is not vectors.
-    """
+    """A figure as ``.svg``, ``.pdf``, ``.png`` or ``.jpg``, without the time it was made; ``dpi``
+    is of what is not vectors."""
     stream = io.BytesIO()
     dated = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
     figure.savefig(stream, format=suffix[1:], dpi=dpi, metadata=dated.get(suffix))

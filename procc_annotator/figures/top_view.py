@@ -58,13 +58,8 @@ class TopViewPainter:
             return figure_pixels(self._figure(scene, view, scene.title))
 
     def panorama(self, scenes: Iterable[Scene], count: int, rendered: Rendered) -> bytes | None:
-        """One picture of all scenes, the median of up to 25 of them; None if none has a camera.
-
-        Args:
-            scenes: of one field.
-            count: how many there are.
-            rendered: gets the scenes that cannot be used.
-        """
+        """One picture of all ``count`` scenes of one field, the median of up to 25 of them; None if
+        none has a camera. ``rendered`` gets the scenes that cannot be used."""
         views, used = [], None
         every = max(1, -(-count // _MOST_VIEWS))
         for at, scene in enumerate(scenes):
