@@ -16,7 +16,6 @@ from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.diagnostics import found_instead_of_cameras
 from procc_annotator.dataset.frames import Frame
@@ -75,11 +74,9 @@ def annotate(
     source: Source,
     out: Out,
     cameras: Cameras,
+    given: options.FieldOptions,
     every: Every = 1,
     views: Views = None,
-    labels: options.LabelsFile = None,
-    field: options.FieldName = None,
-    lines: options.Lines = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     workers: options.FitWorkers = None,
@@ -87,8 +84,7 @@ def annotate(
 ) -> None:
     if not cameras.exists():
         raise UsageError(f"{cameras}: does not exist")
-    shown = chosen_field(field, source, lines=lines)
-    names = options.label_map(labels, shown)
+    shown = given.of(source)
     pictures = open_pictures(source, out)
     remarks.report_remarks(pictures.notices)
     with CameraCollection.open(cameras, camera_format, field=shown) as collection:
@@ -98,7 +94,7 @@ def annotate(
         chosen = _with_camera(pictures.frames[::every], collection, cameras)
         if views is not None:
             chosen = _most_different(chosen, collection, views)
-        frames = _not_annotated(chosen, pictures.annotated(out, shown, names))
+        frames = _not_annotated(chosen, pictures.annotated(out, shown, given.names(shown)))
         run = AnnotationRun(frames, collection, shown, options.shown_size(camera_size))
         done = Done()
         try:

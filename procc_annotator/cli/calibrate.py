@@ -99,7 +99,7 @@ Overwrite = Annotated[
 ]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class CalibrateOptions:
     """Options of `calibrate`."""
 
@@ -109,10 +109,7 @@ class CalibrateOptions:
     threshold: options.Thresholds = None
     protocol: options.Protocol = "soccernet"
     size: options.FitSize = None
-    field: options.FieldName = None
-    lines: options.Lines = None
-    pixel_aspect: options.PixelAspectText = options.AUTO_ASPECT
-    labels: options.LabelsFile = None
+    shown: options.PictureFieldOptions
     off_plane: options.OffPlane = "left_out"
     mirrored: options.Mirrored = False
     workers: options.FitWorkers = None
@@ -130,20 +127,11 @@ def calibrate(given: CalibrateOptions) -> None:
         raise UsageError("--groups is for --shared-position")
     if given.held_out and given.shared_position:
         raise UsageError("--leave-one-out is for cameras of their own, not for --shared-position")
-    setup = options.make_setup(
-        given.field,
-        given.size,
-        given.protocol,
-        given.off_plane,
-        given.mirrored,
-        datasets=[given.dataset],
-        lines=given.lines,
-        pixel_aspect=given.pixel_aspect,
-    )
+    field = given.shown.of(given.dataset)
+    setup = options.setup_for(field, given.size, given.protocol, given.off_plane, given.mirrored)
     thresholds = options.thresholds_or_default(given.threshold)
     place = annotations_of(given.dataset)
-    names = options.label_map(given.labels, setup.field)
-    with open_annotations(place, setup.field, names) as source:
+    with open_annotations(place, field, given.shown.names(field)) as source:
         left = checkpoint_path(given.out, "calibrate")
         going_on = options.is_resuming(
             left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
@@ -154,12 +142,11 @@ def calibrate(given: CalibrateOptions) -> None:
             overwrite=given.overwrite or going_on,
             positions=given.shared_position,
         )
-        remarks.report_mismatch(source, setup.field)
+        remarks.report_mismatch(source, field)
         remarks.report_camera_names(source)
         sizes = fit_sizes(source, place, given.dataset, given.size)
         pictures = [(name, sizes.picture_of(name)) for name, _ in annotation_files(source)]
-        shown = options.with_estimated_pixels(setup.field, pictures, given.size)
-        setup = replace(setup, field=shown)
+        setup = replace(setup, field=options.with_estimated_pixels(field, pictures, given.size))
         asked = _terms(setup, thresholds, sizes, given.model, given.held_out, given.shared_position)
         try:
             with Checkpoint(left, asked, resume=going_on) as kept:

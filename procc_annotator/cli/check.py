@@ -12,11 +12,10 @@ from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.label_check import CheckRun
 from procc_annotator.batch.set_run import WORTH_WORKERS, annotation_files
 from procc_annotator.calibration.fitting import require_known_model
-from procc_annotator.calibration.label_check.finding import Severity, severity_from_name
+from procc_annotator.calibration.label_check.finding import severity_from_name
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.options import chosen_field
 from procc_annotator.cli.remarks import (
     report_camera_names,
     report_mismatch,
@@ -87,16 +86,13 @@ Paint = Annotated[
 
 def check(
     dataset: options.AnnotatedSet,
+    given: options.PictureFieldOptions,
     output: options.FigureFiles = None,
     least: Least = "hint",
     fail_on: FailOn = None,
     model: Model = "R",
     size: options.FitSize = None,
     paint: Paint = True,
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    pixel_aspect: options.PixelAspectText = options.AUTO_ASPECT,
-    labels: options.LabelsFile = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
@@ -108,8 +104,8 @@ def check(
         label_check.check_findings_suffix(path)
         outputs.check_output_folder(path)
     place = annotations_of(dataset)
-    known = chosen_field(field, dataset, lines=lines, pixel_aspect=pixel_aspect)
-    with open_annotations(place, known, options.label_map(labels, known)) as source:
+    known = given.of(dataset)
+    with open_annotations(place, known, given.names(known)) as source:
         outputs.check_not_inputs(written_to, [source])
         sizes = fit_sizes(source, place, dataset, size)
         mismatch = report_mismatch(source, known)
@@ -118,29 +114,17 @@ def check(
         known = options.with_estimated_pixels(known, pictures, size)
         run = CheckRun(source, known, sizes, model, looks=paint)
         wrong = mismatch is not None and mismatch.is_whole
-        report = _check_set(run, written_to, shown, workers, dask, wrong_field=wrong)
+        with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
+            run.executor = executor
+            report = label_check.check_set(
+                run, with_progress, outputs=written_to, least=shown, wrong_field=wrong
+            )
     _print_report(report, written_to)
     if paint and not run.seen:
         echo("no pictures beside the annotations: paint was not looked for")
     report_remarks(report.remarks)
     code = report_unreadable([problem for _, problem in report.unreadable])
     raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)
-
-
-def _check_set(
-    run: CheckRun,
-    written_to: Sequence[Path],
-    least: Severity,
-    workers: int | None,
-    dask: str | None,
-    *,
-    wrong_field: bool,
-) -> CheckReport:
-    with make_executor(workers, dask, frames=run.total, worth_from=WORTH_WORKERS) as executor:
-        run.executor = executor
-        return label_check.check_set(
-            run, with_progress, outputs=written_to, least=least, wrong_field=wrong_field
-        )
 
 
 def _print_report(report: CheckReport, written_to: Sequence[Path]) -> None:

@@ -20,32 +20,17 @@ Threshold = Annotated[
 
 
 @dataclass(frozen=True, kw_only=True)
-class DrawingOptions:
+class DrawingOptions(options.ScoringOptions):
     """What is drawn, and how it is scored."""
 
     annotations: input_files.Annotations = None
-    labels: options.LabelsFile = None
     threshold: Threshold = options.DEFAULT_THRESHOLD
-    protocol: options.Protocol = "soccernet"
-    size: options.Size = "960x540"
-    field: options.FieldName = None
-    lines: options.Lines = None
-    camera_format: options.CameraFormat = "auto"
-    camera_size: options.CameraSize = None
-    off_plane: options.OffPlane = "missed"
-    mirrored: options.Mirrored = False
-
-    def setup(self, dataset: Path) -> EvaluationSetup:
-        """How frames are scored; raises UsageError."""
-        return options.make_setup(
-            self.field, self.size, self.protocol, self.off_plane, self.mirrored,
-            datasets=[dataset], lines=self.lines,
-        )  # fmt: skip
 
     def open(self, dataset: Path, setup: EvaluationSetup) -> Workspace:
         """A folder, a video or annotations alone; raises as `input_files.open_dataset`."""
-        labels = options.label_map(self.labels, setup.field)
-        return input_files.open_dataset(dataset, setup.field, self.annotations, labels)
+        return input_files.open_dataset(
+            dataset, setup.field, self.annotations, self.names(setup.field)
+        )
 
     def rendering(
         self,

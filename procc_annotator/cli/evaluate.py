@@ -100,9 +100,7 @@ class EvaluateOptions:
     threshold: options.Thresholds = None
     protocol: options.Protocol = "soccernet"
     size: options.Sizes = None
-    field: options.FieldName = None
-    lines: options.Lines = None
-    labels: options.LabelsFile = None
+    shown: options.FieldOptions
     camera_format: options.CameraFormat = "auto"
     camera_size: options.CameraSize = None
     off_plane: options.OffPlane = "missed"
@@ -129,7 +127,7 @@ def evaluate(context: typer.Context, given: EvaluateOptions) -> None:
     written_to = outputs.figure_files(given.output)
     manifest = ManifestOfRun.of(context, given.manifest)
     plan = _plan(given)
-    fields = plan.fields(given.field, given.lines)
+    fields = plan.fields()
     field = next(iter(fields.values()))
     terms = given.protocol, given.off_plane, given.mirrored, given.planar_only
     sizes = dict.fromkeys(given.size or [options.DEFAULT_SIZE])
@@ -186,7 +184,7 @@ def _plan(given: EvaluateOptions) -> Plan:
     if given.submission is not None:
         cameras, sources = None, [*sources, submitted_source(given.submission)]
     return Plan.of(
-        given.annotations, cameras, given.sets or [], sources, given.camera_format, given.labels
+        given.annotations, cameras, given.sets or [], sources, given.camera_format, given.shown
     )
 
 

@@ -20,7 +20,7 @@ from procc_annotator.cli.method_arguments import (
     parse_sources,
     require_distinct,
 )
-from procc_annotator.cli.options import chosen_field, label_map
+from procc_annotator.cli.options import FieldOptions
 from procc_annotator.cli.remarks import report_notices, report_remarks, report_unreadable
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.layout import annotations_of
@@ -87,13 +87,13 @@ class Plan:
 
     Attributes:
         named: whether they were named, so that files have to state which is which.
-        labels: file of what names of another program stand for; None: as the sets say.
+        shown: the options of the field, and of what labels stand for.
     """
 
     sets: tuple[tuple[str, Path], ...]
     methods: tuple[SourceSpec, ...]
     named: bool
-    labels: Path | None = None
+    shown: FieldOptions
 
     @classmethod
     def of(
@@ -103,7 +103,7 @@ class Plan:
         sets: Sequence[str],
         sources: Sequence[str],
         camera_format: str,
-        labels: Path | None = None,
+        shown: FieldOptions,
     ) -> Plan:
         """Read the arguments; UsageError if something is missing or given twice, or two have the
         same name."""
@@ -129,11 +129,11 @@ class Plan:
         methods = parse_sources(sources, camera_format)
         if cameras is not None:
             methods = (SourceSpec(name_of(str(cameras)), camera_format, cameras),)
-        return cls(chosen, methods, bool(sets or sources), labels)
+        return cls(chosen, methods, bool(sets or sources), shown)
 
-    def fields(self, named: str | None, lines: str | None) -> dict[str, Field]:
+    def fields(self) -> dict[str, Field]:
         """The field of each set: the one of the options, or else the set's own."""
-        return {name: chosen_field(named, path, lines=lines) for name, path in self.sets}
+        return {name: self.shown.of(path) for name, path in self.sets}
 
     def open(
         self,
@@ -171,7 +171,7 @@ class Plan:
         return asked
 
     def _annotations(self, path: Path, field: Field) -> FileSource:
-        return open_annotations(path, field, label_map(self.labels, field))
+        return open_annotations(path, field, self.shown.names(field))
 
     def frames(self, fields: Mapping[str, Field]) -> dict[str, tuple[str, ...]]:
         """The annotated frames of each set; fields as of `open`."""

@@ -41,18 +41,10 @@ Example:
 def export(
     dataset: input_files.Dataset,
     out: Annotated[Path, typer.Argument(help="Folder or .zip to write.")],
+    given: options.ScoringOptions,
     annotations: input_files.Annotations = None,
     cameras: input_files.Cameras = None,
     threshold: options.Thresholds = None,
-    protocol: options.Protocol = "soccernet",
-    size: options.Size = "960x540",
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    labels: options.LabelsFile = None,
-    camera_format: options.CameraFormat = "auto",
-    camera_size: options.CameraSize = None,
-    off_plane: options.OffPlane = "missed",
-    mirrored: options.Mirrored = False,
     keep_optional: options.KeepOptional = False,
     split: Annotated[
         str,
@@ -65,16 +57,14 @@ def export(
     overwrite: options.Overwrite = False,
 ) -> None:
     _check_split(split, keep_optional)
-    setup = options.make_setup(
-        field, size, protocol, off_plane, mirrored, datasets=[dataset], lines=lines
-    )
+    setup = given.setup(dataset)
     thresholds = options.thresholds_or_default(threshold)
-    with input_files.annotated_frames(dataset, setup.field, annotations, labels) as (
+    with input_files.annotated_frames(dataset, setup.field, annotations, given.labels) as (
         frames,
         source,
     ):
         camera_set = input_files.open_cameras(
-            cameras, camera_format, options.shown_size(camera_size), setup.field
+            cameras, given.camera_format, given.own_size, setup.field
         )
         scoring = Scoring(setup, thresholds, camera_set)
         inputs = [one for one in (camera_set, source) if one is not None]

@@ -78,6 +78,7 @@ Save = Annotated[bool, typer.Option("--save", help="Keep the dimensions with the
 
 def field_size(
     dataset: options.AnnotatedSet,
+    shown: options.FieldOptions,
     groups: options.Groups = None,
     dimension: Dimension = None,
     model: Model = "R",
@@ -85,24 +86,20 @@ def field_size(
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.FitSize = None,
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    labels: options.LabelsFile = None,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
     require_known_model(model)
-    setup = options.make_setup(
-        field, size, protocol, "left_out", mirrored=False, datasets=[dataset], lines=lines
-    )
-    names = fittable_dimensions(setup.field, dimension)
+    field = shown.of(dataset)
+    setup = options.setup_for(field, size, protocol, "left_out", mirrored=False)
+    names = fittable_dimensions(field, dimension)
     thresholds = options.thresholds_or_default(threshold)
     place = annotations_of(dataset)
     kept_in = _workspace_of(dataset) if save else None
     if kept_in is not None and groups is not None:
-        _kept_stadiums(kept_in, setup.field)  # said before anything is fitted
-    with open_annotations(place, setup.field, options.label_map(labels, setup.field)) as source:
-        report_mismatch(source, setup.field)
+        _kept_stadiums(kept_in, field)  # said before anything is fitted
+    with open_annotations(place, field, shown.names(field)) as source:
+        report_mismatch(source, field)
         report_camera_names(source)
         sizes = fit_sizes(source, place, dataset, size)
         fitted = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
@@ -111,7 +108,7 @@ def field_size(
     said: list[str] = []
     try:  # before the table: whoever reads it may stop after the first lines
         if kept_in is not None:
-            said = _save(kept_in, setup.field, found, fitted.fits.groups or {})
+            said = _save(kept_in, field, found, fitted.fits.groups or {})
     finally:
         _print_sizes(found, fitted, setup)
     for line in said:

@@ -67,9 +67,8 @@ def figure(
         raise UsageError(f"{out}: exists already, choose another name, or --overwrite")
     setup = given.setup(dataset)
     workspace = given.open(dataset, setup)
-    own = options.shown_size(given.camera_size)
     methods = [
-        CameraSet.open(spec.path, spec.format, spec.name, own, setup.field)
+        CameraSet.open(spec.path, spec.format, spec.name, given.own_size, setup.field)
         for spec in parse_sources(cameras, given.camera_format)
     ]
     renderings = [given.rendering(workspace, setup, method) for method in methods]

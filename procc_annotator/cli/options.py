@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path, PurePosixPath
 from typing import Annotated
@@ -412,28 +412,6 @@ def thresholds_or_default(thresholds: list[float] | None) -> tuple[float, ...]:
     return check_thresholds(thresholds or [DEFAULT_THRESHOLD])
 
 
-def make_setup(
-    field: str | None,
-    size: str | None,
-    protocol: str,
-    off_plane: str,
-    mirrored: bool,
-    planar_only: bool = False,
-    datasets: Sequence[Path | None] = (),
-    lines: str | None = None,
-    pixel_aspect: str = AUTO_ASPECT,
-) -> EvaluationSetup:
-    """The evaluation the options describe; without a size at the default one, without a field on
-    that of the datasets.
-
-    Raises:
-        UsageError: options that contradict each other, an unknown protocol.
-        FieldError: the field's description cannot be used.
-    """
-    shown = chosen_field(field, *datasets, lines=lines, pixel_aspect=pixel_aspect)
-    return setup_for(shown, size, protocol, off_plane, mirrored, planar_only)
-
-
 def setup_for(
     field: Field,
     size: str | None,
@@ -442,24 +420,70 @@ def setup_for(
     mirrored: bool,
     planar_only: bool = False,
 ) -> EvaluationSetup:
-    """The same on a field that is known."""
+    """The evaluation the options describe, without a size at the default one; UsageError for
+    options that contradict each other, or an unknown protocol."""
     if mirrored and protocol == "soccernet":
         raise UsageError(
             "--mirrored is for --protocol procc: soccernet always considers mirrored labels"
         )
-    return EvaluationSetup(
-        field,
-        parse_size(DEFAULT_SIZE if size is None else size),
-        protocol,
-        allow_mirrored=mirrored,
-        off_plane=off_plane,
-        planar_only=planar_only,
-    )
+    shown = parse_size(DEFAULT_SIZE if size is None else size)
+    return EvaluationSetup(field, shown, protocol, mirrored, off_plane, planar_only)
 
 
 def shown_size(size: str | None) -> tuple[int, int] | None:
     """An optional size, read."""
     return None if size is None else parse_size(size)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FieldOptions:
+    """The field of a dataset, and what its labels stand for."""
+
+    field: FieldName = None
+    lines: Lines = None
+    labels: LabelsFile = None
+
+    def of(self, *datasets: Path | None) -> Field:
+        """The field; see `chosen_field`."""
+        return chosen_field(self.field, *datasets, lines=self.lines)
+
+    def names(self, field: Field) -> LabelMap | None:
+        """What labels stand for; see `label_map`."""
+        return label_map(self.labels, field)
+
+
+@dataclass(frozen=True, kw_only=True)
+class PictureFieldOptions(FieldOptions):
+    """The same of pictures that may be squeezed."""
+
+    pixel_aspect: PixelAspectText = AUTO_ASPECT
+
+    def of(self, *datasets: Path | None) -> Field:
+        """The field, its pixels as the option states them; see `chosen_field`."""
+        return chosen_field(self.field, *datasets, lines=self.lines, pixel_aspect=self.pixel_aspect)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ScoringOptions(FieldOptions):
+    """How frames are scored, and what is said of their labels and cameras."""
+
+    protocol: Protocol = "soccernet"
+    size: Size = DEFAULT_SIZE
+    camera_format: CameraFormat = "auto"
+    camera_size: CameraSize = None
+    off_plane: OffPlane = "missed"
+    mirrored: Mirrored = False
+
+    def setup(self, dataset: Path, *, planar_only: bool = False) -> EvaluationSetup:
+        """How frames are scored; raises as `chosen_field` and `setup_for`."""
+        return setup_for(
+            self.of(dataset), self.size, self.protocol, self.off_plane, self.mirrored, planar_only
+        )
+
+    @property
+    def own_size(self) -> tuple[int, int] | None:
+        """(width, height) px that cameras refer to, where their files do not say."""
+        return shown_size(self.camera_size)
 
 
 def is_resuming(left: Path, table: Path, out: Path, *, resume: bool, overwrite: bool) -> bool:

@@ -24,7 +24,6 @@ from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.sequence import open_pictures
@@ -126,7 +125,7 @@ Overwrite = Annotated[
 ]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class ProposeOptions:
     """Options of `propose`."""
 
@@ -138,10 +137,7 @@ class ProposeOptions:
     detector: With = None
     sure_from: SureFrom = SURE_FROM
     annotations: input_files.Annotations = None
-    labels: options.LabelsFile = None
-    field: options.FieldName = None
-    lines: options.Lines = None
-    pixel_aspect: options.PixelAspectText = options.AUTO_ASPECT
+    shown: options.PictureFieldOptions
     camera_format: options.CameraFormat = "auto"
     workers: Workers = None
     dask: options.Dask = None
@@ -155,10 +151,8 @@ def propose(given: ProposeOptions) -> None:
             raise UsageError(f"{place}: does not exist")
     if given.detector is not None:
         chosen_proposer(given.detector)
-    shown = chosen_field(
-        given.field, given.dataset, lines=given.lines, pixel_aspect=given.pixel_aspect
-    )
-    names = options.label_map(given.labels, shown)
+    shown = given.shown.of(given.dataset)
+    names = given.shown.names(shown)
     pictures = open_pictures(given.dataset, given.annotations)
     remarks.report_remarks(pictures.notices)
     left = checkpoint_path(given.out, "propose")

@@ -119,13 +119,10 @@ def render(
     positions: Positions = None,
     fps: Fps = None,
 ) -> None:
-
     look = OverlayLook(scale, legend)
     setup = given.setup(dataset)
     workspace = given.open(dataset, setup)
-    camera_set = input_files.open_cameras(
-        cameras, given.camera_format, options.shown_size(given.camera_size), setup.field
-    )
+    camera_set = input_files.open_cameras(cameras, given.camera_format, given.own_size, setup.field)
     outputs.check_folder_apart(
         out, [workspace.annotations, *([camera_set] if camera_set is not None else [])]
     )

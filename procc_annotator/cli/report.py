@@ -144,16 +144,8 @@ class ReportOptions:
     output: Output = None
     annotations: input_files.Annotations = None
     threshold: Thresholds = None
-    protocol: options.Protocol = "soccernet"
-    size: options.Size = "960x540"
-    field: options.FieldName = None
-    lines: options.Lines = None
-    labels: options.LabelsFile = None
-    camera_format: options.CameraFormat = "auto"
-    camera_size: options.CameraSize = None
-    off_plane: options.OffPlane = "missed"
+    scoring: options.ScoringOptions
     planar_only: options.PlanarOnly = False
-    mirrored: options.Mirrored = False
     tags: inference_options.TagsFile = None
     by: By = None
     chance: inference_options.IntervalOptions
@@ -176,12 +168,11 @@ def report(context: typer.Context, given: ReportOptions) -> None:
     # Everything is examined before any work.
     written_to = _outputs(given.cameras, given.output)
     manifest = ManifestOfRun.of(context, given.manifest)
-    field = options.chosen_field(given.field, given.dataset, lines=given.lines)
-    setup = options.setup_for(
-        field, given.size, given.protocol, given.off_plane, given.mirrored, given.planar_only
-    )
+    scoring = given.scoring
+    setup = scoring.setup(given.dataset, planar_only=given.planar_only)
+    field = setup.field
     thresholds = options.thresholds_or_default(given.threshold or list(DEFAULT_THRESHOLDS))
-    specs = parse_sources(given.cameras or (), given.camera_format)
+    specs = parse_sources(given.cameras or (), scoring.camera_format)
     name = dataset_name(given.dataset)
     request = _request(given, name, manifest)
     check_request(request, [spec.name for spec in specs])
@@ -192,10 +183,9 @@ def report(context: typer.Context, given: ReportOptions) -> None:
         tags, {name: folder}, (*groups, *derived), given.seed, given.shots
     )
     over_time = inference_options.temporal_request(given.steady, given.shots)
-    camera_size = options.shown_size(given.camera_size)
+    camera_size = scoring.own_size
     with ExitStack() as opened:
-        labels = options.label_map(given.labels, field)
-        source = opened.enter_context(open_annotations(folder, field, labels))
+        source = opened.enter_context(open_annotations(folder, field, scoring.names(field)))
         cameras = {
             spec.name: opened.enter_context(
                 CameraCollection.open(spec.path, spec.format, field=field)

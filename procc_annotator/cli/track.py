@@ -18,7 +18,6 @@ from procc_annotator.calibration.tracking.shot_tracker import track_shot as foll
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.picture_sizes import picture_size
 from procc_annotator.dataset.sequence import PictureSource, find_shots, open_pictures
@@ -102,13 +101,10 @@ Overwrite = Annotated[
 def track(
     source: Source,
     out: Out,
+    of_field: options.PictureFieldOptions,
     annotations: Annotations = None,
-    labels: options.LabelsFile = None,
     cameras: Cameras = None,
     begin: From = None,
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    pixel_aspect: options.PixelAspectText = options.AUTO_ASPECT,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     workers: Workers = 1,
@@ -117,8 +113,8 @@ def track(
     for given in (annotations, cameras):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
-    shown = chosen_field(field, source, lines=lines, pixel_aspect=pixel_aspect)
-    names = options.label_map(labels, shown)
+    shown = of_field.of(source)
+    names = of_field.names(shown)
     pictures = open_pictures(source, annotations)
     remarks.report_remarks(pictures.notices)
     shown = options.with_estimated_pixels(

@@ -11,15 +11,13 @@ import typer
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.calibration.fitting import require_known_model
-from procc_annotator.cli import options, outputs, remarks
+from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.method_arguments import parse_source
-from procc_annotator.cli.options import chosen_field
-from procc_annotator.cli.remarks import report_remarks
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.dataset.diagnostics import classes_of_source, found_instead_of_cameras
+from procc_annotator.dataset.diagnostics import classes_of_source
 from procc_annotator.dataset.landmarks import dataset_landmarks
 from procc_annotator.dataset.landmarks.clicks import LocatedLandmark, with_positions
 from procc_annotator.dataset.landmarks.dataset_landmarks import read_dataset_landmarks
@@ -194,18 +192,8 @@ def chosen_cameras(
     if cameras is None:
         return None
     spec = parse_source(cameras, camera_format)
-    if not spec.path.exists():
-        raise UsageError(f"{spec.path}: does not exist")
-    given = CameraSet.open(
-        spec.path, spec.format, spec.name, options.shown_size(camera_size), field
-    )
-    if not given.frames:
-        raise UsageError(
-            f"nothing to do: no camera (format {spec.format}) in {spec.path}"
-            + found_instead_of_cameras(spec.path)
-        )
-    report_remarks(given.notices)
-    return given
+    size = options.shown_size(camera_size)
+    return input_files.open_cameras(spec.path, spec.format, size, field)
 
 
 def report_strange_rows(groups: ViewGroups, source: FileSource, dataset: Path) -> None:
@@ -283,6 +271,7 @@ Examples:
 
 def triangulate(
     dataset: options.AnnotatedSet,
+    of_field: options.FieldOptions,
     cameras: Cameras = None,
     views: ViewsFile = None,
     pattern: Pattern = None,
@@ -292,9 +281,6 @@ def triangulate(
     model: Model = "R",
     click_px: ClickPx = None,
     size: options.FitSize = None,
-    field: options.FieldName = None,
-    lines: options.Lines = None,
-    labels: options.LabelsFile = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
 ) -> None:
@@ -302,11 +288,11 @@ def triangulate(
     place = annotations_of(dataset)
     target = target_file(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
-    shown = chosen_field(field, dataset, lines=lines)
+    shown = of_field.of(dataset)
     known = add_surveyed(known, surveyed or (), shown)
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
-    with open_annotations(place, shown, options.label_map(labels, shown)) as source:
+    with open_annotations(place, shown, of_field.names(shown)) as source:
         remarks.report_remarks(list_annotations(source).notices)
         _refuse_classes_of_another_field(source, shown)
         groups = chosen_view_groups(groups, source, views, pattern)
