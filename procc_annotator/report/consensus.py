@@ -35,20 +35,8 @@ from procc_annotator.report.agreement import (
 from procc_annotator.report.outputs import open_target
 from procc_annotator.report.scores.score_files import field_terms, score_format
 from procc_annotator.report.scores.score_tables import worst_words
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
-from procc_annotator.report.tables.metrics import (  # fmt: skip
-    ADDED,
-    APART,
-    COMMON,
-    DISTANCES,
-    JAC,
-    LARGEST_PX,
-    LEFT_OUT,
-    MISSED,
-    ONLY_A,
-    ONLY_B,
-    POINTS,
-)
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
@@ -60,7 +48,7 @@ from procc_annotator.report.tables.table import (
     metric_values,
 )
 
-_COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
+_COUNTS = (metrics.COMMON, metrics.APART, metrics.ADDED, metrics.MISSED, metrics.LEFT_OUT)
 _LONE = ("added", "missed")
 
 
@@ -112,7 +100,7 @@ def others_table(agreed: AgreementReport) -> MetricTable:
     """Each annotator against the consensus of the others, with intervals."""
     columns = (
         Column("annotator", "annotator"), Column("name", "name"), TAU, count_column("frames"),
-        *agreement_columns(), metric_column(LARGEST_PX), *_counts(_COUNTS),
+        *agreement_columns(), metric_column(metrics.LARGEST_PX), *_counts(_COUNTS),
     )  # fmt: skip
     names = short_names([source.path for source in agreed.run.sources])
     rows = [
@@ -134,10 +122,10 @@ def others_table(agreed: AgreementReport) -> MetricTable:
 
 def pairs_table(agreed: AgreementReport) -> MetricTable:
     """Every two annotators."""
-    counts = (COMMON, APART, ONLY_A, ONLY_B)
+    counts = (metrics.COMMON, metrics.APART, metrics.ONLY_A, metrics.ONLY_B)
     columns = (
         Column("a", "A"), Column("b", "B"), TAU, count_column("frames"), *agreement_columns(),
-        metric_column(LARGEST_PX), *_counts(counts),
+        metric_column(metrics.LARGEST_PX), *_counts(counts),
     )  # fmt: skip
     rows = [
         (ascii_uppercase[a], ascii_uppercase[b], tau, found.summary.frames,
@@ -162,7 +150,8 @@ def consensus_classes_table(agreed: AgreementReport) -> MetricTable:
                     found.setdefault(name, [])
                     lone[name, key] = lone.get((name, key), 0) + 1
     columns = (
-        Column("class", "class"), *_counts((POINTS, *_COUNTS)), *map(metric_column, DISTANCES),
+        Column("class", "class"), *_counts((metrics.POINTS, *_COUNTS)),
+        *map(metric_column, metrics.DISTANCES),
     )  # fmt: skip
     rows = []
     for name in sorted(found):
@@ -176,7 +165,7 @@ def consensus_classes_table(agreed: AgreementReport) -> MetricTable:
             len(pooled.distances), len(found[name]), apart, lone.get((name, "added"), 0),
             lone.get((name, "missed"), 0), pooled.left_out,
         )  # fmt: skip
-        rows.append((name.strip(), *counts, *metric_values(DISTANCES, pooled)))
+        rows.append((name.strip(), *counts, *metric_values(metrics.DISTANCES, pooled)))
     title = "Classes, all annotators against the others"
     return MetricTable("classes", title, columns, tuple(rows), agreed.described)
 
@@ -197,9 +186,9 @@ def worst_consensus_table(agreed: AgreementReport) -> MetricTable:
     columns = (
         Column("frame", "frame"),
         Column("annotator", "annotator"),
-        metric_column(JAC),
-        *_counts((ADDED, MISSED)),
-        metric_column(LARGEST_PX),
+        metric_column(metrics.JAC),
+        *_counts((metrics.ADDED, metrics.MISSED)),
+        metric_column(metrics.LARGEST_PX),
         Column("farthest", "farthest element"),
         Column("labels", "labels"),
     )

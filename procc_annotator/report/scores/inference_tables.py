@@ -149,12 +149,12 @@ def held_out_pairs_table(certainty: Inference, described: str) -> MetricTable:
     names = [source.name for source in certainty.sources]
     rows = tuple(
         (
-            tau, names[pair.a], names[pair.b], verdict(found), of_a, of_b, found.value,
-            *interval_ends(found.interval), found.p, found.corrected, pair.elements, found.frames,
+            tau, names[pair.a], names[pair.b], verdict(found), *pair.held_out[tau], found.value,
+            *interval_ends(found.interval), found.p, found.corrected, pair.shared, found.frames,
         )
         for tau in certainty.thresholds
         for pair in certainty.held_out_pairs
-        for of_a, of_b, found in [pair.differences[tau]]
+        for found in [pair.differences["held_out", tau]]
     )  # fmt: skip
     bold = {(at, 6) for at, row in enumerate(rows) if row[3] == SIGNIFICANT}
     notes = (
