@@ -19,7 +19,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import AgreementSummary, FrameAgreement, sorted_quantile
 from procc_annotator.metrics.statistics.intervals import BootstrapSettings, Interval
-from procc_annotator.report.scores.inference_tables import interval_columns, interval_ends
+from procc_annotator.report.scores.inference_tables import columns_with_intervals, interval_ends
 from procc_annotator.report.scores.score_files import field_terms
 from procc_annotator.report.scores.score_tables import pixels, worst_words
 from procc_annotator.report.tables import metrics
@@ -98,14 +98,11 @@ def farthest(frame: FrameAgreement) -> tuple[float | None, str]:
     return largest, name.strip()
 
 
-def agreement_columns() -> list[Column]:
-    """JaC, median and 95 %, each with its interval."""
-    figures = (metrics.JAC, metrics.MEDIAN_PX, metrics.P95_PX)
-    return [c for figure in figures for c in (metric_column(figure), *interval_columns(figure))]
+AGREEMENT_COLUMNS = columns_with_intervals((metrics.JAC, metrics.MEDIAN_PX, metrics.P95_PX))
 
 
 def agreement_values(found: AgreementInference, tau: float) -> tuple[Value, ...]:
-    """The values of `agreement_columns` at a threshold, px."""
+    """The values of `AGREEMENT_COLUMNS` at a threshold, px."""
     overall, known = found.summary.overall, found.known
     low, high = interval_ends(known.jac[tau])
     ends = (None if low is None else max(0.0, low), None if high is None else min(1.0, high))

@@ -18,10 +18,10 @@ from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import ClassAgreement
 from procc_annotator.report.agreement import (
+    AGREEMENT_COLUMNS,
     ELEMENT_COLUMNS,
     WORST,
     AgreementReport,
-    agreement_columns,
     agreement_frames_table,
     agreement_json,
     agreement_values,
@@ -100,7 +100,7 @@ def others_table(agreed: AgreementReport) -> MetricTable:
     """Each annotator against the consensus of the others, with intervals."""
     columns = (
         Column("annotator", "annotator"), Column("name", "name"), TAU, count_column("frames"),
-        *agreement_columns(), metric_column(metrics.LARGEST_PX), *_counts(_COUNTS),
+        *AGREEMENT_COLUMNS, metric_column(metrics.LARGEST_PX), *_counts(_COUNTS),
     )  # fmt: skip
     names = short_names([source.path for source in agreed.run.sources])
     rows = [
@@ -124,7 +124,7 @@ def pairs_table(agreed: AgreementReport) -> MetricTable:
     """Every two annotators."""
     counts = (metrics.COMMON, metrics.APART, metrics.ONLY_A, metrics.ONLY_B)
     columns = (
-        Column("a", "A"), Column("b", "B"), TAU, count_column("frames"), *agreement_columns(),
+        Column("a", "A"), Column("b", "B"), TAU, count_column("frames"), *AGREEMENT_COLUMNS,
         metric_column(metrics.LARGEST_PX), *_counts(counts),
     )  # fmt: skip
     rows = [

@@ -15,7 +15,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.metrics.agreement import FrameAgreement, sorted_quantile
 from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import (
-    agreement_columns,
+    AGREEMENT_COLUMNS,
     agreement_values,
     intervals_described,
 )
@@ -87,7 +87,7 @@ class AgainstReference:
             Column("annotator", "annotator"),
             TAU,
             count_column("frames"),
-            *agreement_columns(),
+            *AGREEMENT_COLUMNS,
             metric_column(metrics.LARGEST_PX),
             *(count_column(figure.key, figure.title) for figure in _COUNTS),
         )
