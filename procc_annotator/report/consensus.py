@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path, PurePath
 from string import ascii_uppercase
 from typing import Any
@@ -10,9 +11,7 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.batch.agreement import (
-    ConsensusResult,
-)
+from procc_annotator.batch.agreement import AgreementInference, ConsensusResult
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
@@ -98,43 +97,43 @@ def consensus_tables(agreed: AgreementReport) -> tuple[MetricTable, ...]:
 
 def others_table(agreed: AgreementReport) -> MetricTable:
     """Each annotator against the consensus of the others, with intervals."""
-    columns = (
-        Column("annotator", "annotator"), Column("name", "name"), TAU, count_column("frames"),
-        *AGREEMENT_COLUMNS, metric_column(metrics.LARGEST_PX), *_counts(_COUNTS),
-    )  # fmt: skip
     names = short_names([source.path for source in agreed.run.sources])
-    rows = [
-        (ascii_uppercase[at], names[at], tau, found.summary.frames,
-         *agreement_values(found, tau), found.summary.overall.largest,
-         *metric_values(_COUNTS, found.summary.overall))
-        for at, found in agreed.others.items()
-        for tau in agreed.run.thresholds
-    ]  # fmt: skip
+    found = {(ascii_uppercase[at], names[at]): own for at, own in agreed.others.items()}
     notes = [f"In brackets {agreed.known}."]
     if of_one_other := sum(len(result.pairs) == 1 for result in agreed.results):
         alone = pluralize(of_one_other, "frame")
         notes.append(f"Of {alone} with two annotators each is compared with the other one.")
-    return MetricTable(
-        "annotators", "Each annotator against the consensus of the others", columns, tuple(rows),
-        agreed.described, tuple(notes),
-    )  # fmt: skip
+    sheet = _agreements_table(agreed, found, ("annotator", "name"), _COUNTS)
+    title = "Each annotator against the consensus of the others"
+    return replace(sheet, name="annotators", title=title, notes=tuple(notes))
 
 
 def pairs_table(agreed: AgreementReport) -> MetricTable:
     """Every two annotators."""
+    found = {(ascii_uppercase[a], ascii_uppercase[b]): own for (a, b), own in agreed.pairs.items()}
     counts = (metrics.COMMON, metrics.APART, metrics.ONLY_A, metrics.ONLY_B)
+    sheet = _agreements_table(agreed, found, ("A", "B"), counts)
+    return replace(sheet, name="pairs", title="Every two annotators")
+
+
+def _agreements_table(
+    agreed: AgreementReport,
+    found: Mapping[tuple[str, str], AgreementInference],
+    headings: tuple[str, str],
+    counts: tuple[Metric, ...],
+) -> MetricTable:
+    """A row an agreement and threshold, by what the agreements are of."""
     columns = (
-        Column("a", "A"), Column("b", "B"), TAU, count_column("frames"), *AGREEMENT_COLUMNS,
+        *(Column(h.lower(), h) for h in headings), TAU, count_column("frames"), *AGREEMENT_COLUMNS,
         metric_column(metrics.LARGEST_PX), *_counts(counts),
     )  # fmt: skip
-    rows = [
-        (ascii_uppercase[a], ascii_uppercase[b], tau, found.summary.frames,
-         *agreement_values(found, tau), found.summary.overall.largest,
-         *metric_values(counts, found.summary.overall))
-        for (a, b), found in agreed.pairs.items()
+    rows = tuple(
+        (*who, tau, own.summary.frames, *agreement_values(own, tau), own.summary.overall.largest,
+         *metric_values(counts, own.summary.overall))
+        for who, own in found.items()
         for tau in agreed.run.thresholds
-    ]  # fmt: skip
-    return MetricTable("pairs", "Every two annotators", columns, tuple(rows), agreed.described)
+    )  # fmt: skip
+    return MetricTable("", "", columns, rows, agreed.described)
 
 
 def consensus_classes_table(agreed: AgreementReport) -> MetricTable:
