@@ -51,9 +51,11 @@ class MethodPair:
 
     Attributes:
         a, b: their places.
-        shared: how many frames both have a camera for; their means are compared on these.
+        shared: how many frames both have a camera for, or elements both fits determine; their
+            means are compared on these.
         only_a, only_b: frames that only one has: they count for completeness and final score.
         differences: (key, threshold) -> the figure of a less that of b.
+        held_out: of fits, threshold -> the shares of elements that are correct under a and b.
     """
 
     a: int
@@ -62,23 +64,17 @@ class MethodPair:
     only_a: tuple[str, ...]
     only_b: tuple[str, ...]
     differences: Mapping[tuple[str, float], PairedDifference]
+    held_out: Mapping[float, tuple[float, ...]] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, eq=False)
-class HeldOutPair:
-    """Two fits on the elements that both determine from the others (leave-one-element-out).
-
-    Attributes:
-        a, b: their places.
-        elements: how many these are.
-        differences: threshold -> the share of them that is correct under a, that under b, and the
-            difference.
-    """
-
-    a: int
-    b: int
-    elements: int
-    differences: Mapping[float, tuple[float, float, PairedDifference]]
+def _corrected(pairs: Sequence[MethodPair]) -> tuple[MethodPair, ...]:
+    """The pairs with each figure at each threshold corrected for as many comparisons."""
+    keys = list(pairs[0].differences) if pairs else []
+    tests = {key: corrected_for([pair.differences[key] for pair in pairs]) for key in keys}
+    return tuple(
+        replace(pair, differences={key: tests[key][n] for key in keys})
+        for n, pair in enumerate(pairs)
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,38 +159,16 @@ class Inference:
         """Every two of the sources `compared`; what is tested is corrected for as many comparisons
         at a threshold. In-sample differences of fits have no interval and no test."""
         found = [self._pair(a, b) for a, b in combinations(self.compared, 2)]
-        if not found:
-            return ()
-        keys = list(found[0].differences)
-        corrected = {key: corrected_for([pair.differences[key] for pair in found]) for key in keys}
-        return tuple(
-            MethodPair(
-                pair.a, pair.b, pair.shared, pair.only_a, pair.only_b,
-                {key: corrected[key][n] for key in keys},
-            )
-            for n, pair in enumerate(found)
-        )  # fmt: skip
+        return _corrected(found)
 
     @cached_property
-    def held_out_pairs(self) -> tuple[HeldOutPair, ...]:
-        """Every two of the fits `compared`, tested and corrected for as many at a threshold."""
+    def held_out_pairs(self) -> tuple[MethodPair, ...]:
+        """Every two of the fits `compared` on the elements that both determine from the others
+        (leave-one-element-out), corrected for as many at a threshold; key ``held_out``."""
         fits = [at for at in self.compared if any(f.held_out for f in self.sources[at].frames)]
-        found = [pair for a, b in combinations(fits, 2) if (pair := self._held_out(a, b))]
-        tests = {
-            tau: corrected_for([pair.differences[tau][2] for pair in found])
-            for tau in self.thresholds
-        }
-        return tuple(
-            replace(
-                pair,
-                differences={
-                    tau: (*pair.differences[tau][:2], tests[tau][n]) for tau in self.thresholds
-                },
-            )
-            for n, pair in enumerate(found)
-        )
+        return _corrected([p for a, b in combinations(fits, 2) if (p := self._held_out(a, b))])
 
-    def _held_out(self, a: int, b: int) -> HeldOutPair | None:
+    def _held_out(self, a: int, b: int) -> MethodPair | None:
         shape = len(self.clusters.numbers), len(self.thresholds)
         passed, counts = np.zeros((2, *shape)), np.zeros(shape)
         every = zip(self.sources[a].frames, self.sources[b].frames, strict=True)
@@ -209,11 +183,12 @@ class Inference:
             return None
         sides = [RatioMetrics(side, counts) for side in passed]
         found = self._paired(sides[0], sides[1], [True] * shape[1])
-        shares = passed.sum(axis=1) / counts.sum(axis=0)
-        values = zip(self.thresholds, shares[0].tolist(), shares[1].tolist(), found, strict=True)
-        return HeldOutPair(
-            a, b, int(counts[:, 0].sum()), {tau: (of_a, of_b, d) for tau, of_a, of_b, d in values}
-        )
+        shares = map(tuple, (passed.sum(axis=1) / counts.sum(axis=0)).T.tolist())
+        return MethodPair(
+            a, b, int(counts[:, 0].sum()), (), (),
+            {("held_out", tau): d for tau, d in zip(self.thresholds, found, strict=True)},
+            dict(zip(self.thresholds, shares, strict=True)),
+        )  # fmt: skip
 
     def _paired(
         self, a: RatioMetrics, b: RatioMetrics, shares: Sequence[bool]

@@ -19,24 +19,11 @@ from procc_annotator.errors import UsageError
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import AgreementSummary, FrameAgreement, sorted_quantile
 from procc_annotator.metrics.statistics.intervals import BootstrapSettings, Interval
-from procc_annotator.report.scores.inference_tables import interval_columns, interval_ends
+from procc_annotator.report.scores.inference_tables import columns_with_intervals, interval_ends
 from procc_annotator.report.scores.score_files import field_terms
 from procc_annotator.report.scores.score_tables import pixels, worst_words
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import encoded, metric_entry
-from procc_annotator.report.tables.metrics import (
-    APART,
-    COMMON,
-    DISTANCES,
-    JAC,
-    LARGEST_PX,
-    LEFT_OUT,
-    MEDIAN_PX,
-    OF_AGREEMENT,
-    ONLY_A,
-    ONLY_B,
-    P95_PX,
-    POINTS,
-)
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
@@ -55,7 +42,7 @@ ELEMENT_COLUMNS = (
     Column("status"),
     count_column("points"),
     count_column("left_out"),
-    *map(metric_column, DISTANCES),
+    *map(metric_column, metrics.DISTANCES),
     Column("mirrored_hint", kind="yes_no"),
     Column("error"),
 )
@@ -72,7 +59,7 @@ def element_rows(frame: FrameAgreement, lone: tuple[str, str]) -> list[Row]:
     hint = frame.mirrored_hint
     rows: list[Row] = [
         (own.class_name, "apart" if own.apart else "common", len(own.distances), own.left_out,
-         *metric_values(DISTANCES, own), hint, None)
+         *metric_values(metrics.DISTANCES, own), hint, None)
         for own in frame.by_class.values()
     ]  # fmt: skip
     for status, names in zip(lone, (frame.only_a, frame.only_b), strict=True):
@@ -84,7 +71,7 @@ def status_row(
     status: str, name: str | None = None, *, hint: bool | None = None, error: str | None = None
 ) -> Row:
     """A row of `ELEMENT_COLUMNS` without distances."""
-    return (name, status, *(None,) * (2 + len(DISTANCES)), hint, error)
+    return (name, status, *(None,) * (2 + len(metrics.DISTANCES)), hint, error)
 
 
 def frame_entry(
@@ -97,7 +84,7 @@ def frame_entry(
         lone[1]: list(frame.only_b),
         "mirrored_hint": frame.mirrored_hint,
         "elements": {
-            name: metric_entry(DISTANCES, own)
+            name: metric_entry(metrics.DISTANCES, own)
             | {"left_out": own.left_out, "distances": own.distances.tolist()}
             for name, own in frame.by_class.items()
         },
@@ -111,14 +98,11 @@ def farthest(frame: FrameAgreement) -> tuple[float | None, str]:
     return largest, name.strip()
 
 
-def agreement_columns() -> list[Column]:
-    """JaC, median and 95 %, each with its interval."""
-    figures = (JAC, MEDIAN_PX, P95_PX)
-    return [c for figure in figures for c in (metric_column(figure), *interval_columns(figure))]
+AGREEMENT_COLUMNS = columns_with_intervals((metrics.JAC, metrics.MEDIAN_PX, metrics.P95_PX))
 
 
 def agreement_values(found: AgreementInference, tau: float) -> tuple[Value, ...]:
-    """The values of `agreement_columns` at a threshold, px."""
+    """The values of `AGREEMENT_COLUMNS` at a threshold, px."""
     overall, known = found.summary.overall, found.known
     low, high = interval_ends(known.jac[tau])
     ends = (None if low is None else max(0.0, low), None if high is None else min(1.0, high))
@@ -156,9 +140,11 @@ def inter_annotator_entry(floor: AgreementInference, described: str) -> dict[str
     known = floor.known
     ends = {
         f"{figure.key}_interval": None if found is None else [found.low, found.high]
-        for figure, found in ((MEDIAN_PX, known.median), (P95_PX, known.p95))
+        for figure, found in ((metrics.MEDIAN_PX, known.median), (metrics.P95_PX, known.p95))
     }
-    return metric_entry(OF_AGREEMENT, floor.summary.overall) | ends | {"intervals": described}
+    return (
+        metric_entry(metrics.OF_AGREEMENT, floor.summary.overall) | ends | {"intervals": described}
+    )
 
 
 def sample_size_table(found: AgreementInference, described: str, known: str) -> MetricTable:
@@ -319,10 +305,10 @@ def agreement_tables(agreed: AgreementReport) -> list[MetricTable]:
 def _jac_table(agreed: AgreementReport) -> MetricTable:
     """One row a threshold: the JaC one annotator would score if the other were a camera."""
     summary = agreed.summary
-    counts = (COMMON, ONLY_A, ONLY_B)
+    counts = (metrics.COMMON, metrics.ONLY_A, metrics.ONLY_B)
     columns = (
         TAU,
-        metric_column(JAC),
+        metric_column(metrics.JAC),
         *(count_column(figure.key, figure.title) for figure in counts),
     )
     found = metric_values(counts, summary.overall)
@@ -334,13 +320,20 @@ def _jac_table(agreed: AgreementReport) -> MetricTable:
 def _classes_table(agreed: AgreementReport) -> MetricTable:
     """Per class and, last, all classes together."""
     per_class, overall = agreed.summary.per_class, agreed.summary.overall
-    shown = (POINTS, LEFT_OUT, COMMON, APART, ONLY_A, ONLY_B)
+    shown = (
+        metrics.POINTS,
+        metrics.LEFT_OUT,
+        metrics.COMMON,
+        metrics.APART,
+        metrics.ONLY_A,
+        metrics.ONLY_B,
+    )
     columns = (
         Column("class", "class"), *(count_column(count.key, count.title) for count in shown),
-        *map(metric_column, DISTANCES),
+        *map(metric_column, metrics.DISTANCES),
     )  # fmt: skip
     rows = tuple(
-        (name, *metric_values((*shown, *DISTANCES), figures))
+        (name, *metric_values((*shown, *metrics.DISTANCES), figures))
         for name, figures in [*((n.strip(), f) for n, f in per_class.items()), ("all", overall)]
     )
     title, parts = "Distances between A and B", (len(per_class),)
@@ -358,12 +351,12 @@ def _worst_table(agreed: AgreementReport) -> MetricTable:
     found.sort(key=lambda one: (one[1].jac(tau), -(one[2] or 0.0)))
     columns = (
         Column("frame", "frame"),
-        metric_column(JAC),
+        metric_column(metrics.JAC),
         count_column("common", "in common"),
         count_column("only_a", "only A"),
         count_column("only_b", "only B"),
-        metric_column(MEDIAN_PX),
-        metric_column(LARGEST_PX),
+        metric_column(metrics.MEDIAN_PX),
+        metric_column(metrics.LARGEST_PX),
         Column("farthest", "farthest element"),
         Column("labels", "labels"),
     )
@@ -408,7 +401,9 @@ def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
         "frames_only_b": list(summary.frames_only_b),
         "mirrored_hint": list(summary.mirrored),
         "mean_jac": {shortest_number(tau): jac for tau, jac in summary.mean_jac.items()},
-        "per_class": {n: metric_entry(OF_AGREEMENT, f) for n, f in summary.per_class.items()},
+        "per_class": {
+            n: metric_entry(metrics.OF_AGREEMENT, f) for n, f in summary.per_class.items()
+        },
     }
 
 

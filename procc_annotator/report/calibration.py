@@ -29,15 +29,8 @@ from procc_annotator.metrics.official import fold_back_warnings
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.report.outputs import Interrupted, is_archive, open_target
 from procc_annotator.report.scores.score_tables import FrameRow, WorstFrames
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes
-from procc_annotator.report.tables.metrics import (
-    DEVIATIONS,
-    FRAME_ERROR,
-    FRAME_ERROR_COUNTED,
-    IN_SAMPLE,
-    JAC,
-    LEFT_OUT_SCORE,
-)
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
@@ -48,7 +41,7 @@ from procc_annotator.report.tables.table import (
     shortened,
 )
 
-DEVIATION_COLUMNS = tuple(map(metric_column, DEVIATIONS))
+DEVIATION_COLUMNS = tuple(map(metric_column, metrics.DEVIATIONS))
 
 
 def deviation_values(deviations: PoseStandardDeviations | None) -> tuple[float | None, ...]:
@@ -208,9 +201,9 @@ def _columns(thresholds: tuple[float, ...]) -> tuple[Column, ...]:
         Column("model"),
         count_column("elements"),
         Column("left_out"),
-        *(metric_column(JAC, key=f"jac_{threshold:g}") for threshold in thresholds),
-        metric_column(FRAME_ERROR_COUNTED),
-        metric_column(FRAME_ERROR),
+        *(metric_column(metrics.JAC, key=f"jac_{threshold:g}") for threshold in thresholds),
+        metric_column(metrics.FRAME_ERROR_COUNTED),
+        metric_column(metrics.FRAME_ERROR),
         *DEVIATION_COLUMNS,
         Column("camera"),
         Column("failure"),
@@ -285,8 +278,8 @@ def held_out_table(report: CalibrationReport) -> MetricTable:
     columns = (
         TAU,
         count_column("elements", "elements"),
-        metric_column(LEFT_OUT_SCORE),
-        metric_column(IN_SAMPLE),
+        metric_column(metrics.LEFT_OUT_SCORE),
+        metric_column(metrics.IN_SAMPLE),
     )
     return MetricTable(
         "held_out", "Elements left out in turn", columns, tuple(rows), report.described

@@ -24,15 +24,8 @@ from procc_annotator.formats.file_listing import camera_name
 from procc_annotator.messages import pluralize
 from procc_annotator.report.calibration import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.outputs import Interrupted
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes
-from procc_annotator.report.tables.metrics import (
-    COVERAGE,
-    EXPLAINED,
-    MARGIN,
-    PROBABILITY,
-    RESIDUAL,
-    SECONDS,
-)
 from procc_annotator.report.tables.table import (
     Column,
     MetricTable,
@@ -49,13 +42,13 @@ _COLUMNS = (
     Column("frame"),
     Column("state"),
     Column("reason"),
-    metric_column(PROBABILITY),
-    metric_column(COVERAGE),
-    metric_column(EXPLAINED),
-    metric_column(RESIDUAL),
-    metric_column(MARGIN),
+    metric_column(metrics.PROBABILITY),
+    metric_column(metrics.COVERAGE),
+    metric_column(metrics.EXPLAINED),
+    metric_column(metrics.RESIDUAL),
+    metric_column(metrics.MARGIN),
     *DEVIATION_COLUMNS,
-    metric_column(SECONDS),
+    metric_column(metrics.SECONDS),
     count_column("width"),
     count_column("height"),
     Column("camera"),
@@ -185,7 +178,13 @@ def _row(one: Proposed) -> Row:
 def states_table(found: ProposedSet) -> MetricTable:
     """Return how many frames are in each state, and how they are, median."""
     looked_at = len(found.frames) - len(found.errors)
-    shown = (PROBABILITY, COVERAGE, EXPLAINED, RESIDUAL, MARGIN)
+    shown = (
+        metrics.PROBABILITY,
+        metrics.COVERAGE,
+        metrics.EXPLAINED,
+        metrics.RESIDUAL,
+        metrics.MARGIN,
+    )
     rows = []
     for state in PROPOSAL_STATES:
         own = [one for one in found.frames if one.proposal and one.proposal.state == state]
@@ -196,7 +195,7 @@ def states_table(found: ProposedSet) -> MetricTable:
         Column("state"),
         count_column("frames"),
         *map(metric_column, shown),
-        metric_column(SECONDS),
+        metric_column(metrics.SECONDS),
     )
     title = f"Proposals for {pluralize(looked_at, 'frame')}"
     return MetricTable("proposals", title, columns, tuple(rows))

@@ -38,15 +38,8 @@ from procc_annotator.metrics.statistics.significance import PairedDifference
 from procc_annotator.report.agreement import intervals_described
 from procc_annotator.report.scores.inference_tables import interval_ends
 from procc_annotator.report.scores.score_files import field_terms, score_format
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
-from procc_annotator.report.tables.metrics import (
-    LEGACY,
-    METRES,
-    P_CORRECTED,
-    P_VALUE,
-    PIXELS,
-    WITHIN,
-)
 from procc_annotator.report.tables.table import (
     Column,
     Metric,
@@ -64,7 +57,7 @@ _COLUMNS = (
     Column("name"), Column("field"), count_column("width"), count_column("height"),
     *(Column(f"{unit}_{end}", kind="number")
       for unit in ("metres", "pixels") for end in ("min", "median", "max")),
-    metric_column(WITHIN), Column("compared_share", kind="number"),
+    metric_column(metrics.WITHIN), Column("compared_share", kind="number"),
     *(Column(name, kind="number") for name in _LEGACY), Column("error"),
 )  # fmt: skip
 
@@ -214,13 +207,17 @@ def disagreement_table(compared: ComparisonReport) -> MetricTable:
     summary = compared.summary
     a, b = compared.marked_names
     headings = ("min", "median of frames", "max")
-    columns = (Column("where"), *(Column(h, h, "number") for h in headings), metric_column(WITHIN))
+    columns = (
+        Column("where"),
+        *(Column(h, h, "number") for h in headings),
+        metric_column(metrics.WITHIN),
+    )
     rows = (
-        ("on the ground, m", *metric_values(METRES, summary.metres), summary.within),
-        ("in the picture, px", *metric_values(PIXELS, summary.pixels), None),
+        ("on the ground, m", *metric_values(metrics.METRES, summary.metres), summary.within),
+        ("in the picture, px", *metric_values(metrics.PIXELS, summary.pixels), None),
     )
     title = f"Disagreement of {a} and {b} in {pluralize(summary.frames, 'frame')}"
-    of_rows = (METRES[0], PIXELS[0])
+    of_rows = (metrics.METRES[0], metrics.PIXELS[0])
     return MetricTable("disagreement", title, columns, rows, compared.described, of_rows=of_rows)
 
 
@@ -232,29 +229,31 @@ def legacy_table(compared: ComparisonReport) -> MetricTable:
         Column("median", "median", "number"), count_column("frames"),
     )  # fmt: skip
     rows = []
-    for figure in LEGACY:
+    for figure in metrics.LEGACY:
         found = compared.summary.legacy.get(figure.key, MetricAverage(None, None, 0))
         words = f"{figure.title}, {figure.unit}"
         rows.append((words, found.mean, found.median, found.frames))
     title = f"{b} against {a} as reference"
-    return MetricTable("legacy", title, columns, tuple(rows), compared.described, of_rows=LEGACY)
+    return MetricTable(
+        "legacy", title, columns, tuple(rows), compared.described, of_rows=metrics.LEGACY
+    )
 
 
 def worst_comparison_table(compared: ComparisonReport, count: int = WORST) -> MetricTable:
     """The frames to look at first: largest median disagreement."""
     worst = worst_frames(compared.frames, count)
-    legacy = LEGACY[:3]
+    legacy = metrics.LEGACY[:3]
     columns = (
         Column("frame", "frame"),
-        *map(metric_column, METRES),
-        metric_column(WITHIN),
-        *map(metric_column, PIXELS[1:]),
+        *map(metric_column, metrics.METRES),
+        metric_column(metrics.WITHIN),
+        *map(metric_column, metrics.PIXELS[1:]),
         *map(metric_column, legacy),
     )
     rows = tuple(
         (
-            frame.name, *metric_values(METRES, frame.statistics.metres), frame.within,
-            *metric_values(PIXELS[1:], frame.statistics.pixels),
+            frame.name, *metric_values(metrics.METRES, frame.statistics.metres), frame.within,
+            *metric_values(metrics.PIXELS[1:], frame.statistics.pixels),
             *metric_values(legacy, frame.legacy),
         )
         for frame in worst
@@ -342,10 +341,10 @@ def _values(frame: ComparedFrame) -> Row:
 
 # By the keys of `KEYS`; of the distances the median of a frame is meant.
 _FIGURES: dict[str, Metric] = {
-    "metres": METRES[1],
-    "pixels": PIXELS[1],
-    "within": WITHIN,
-    **{figure.key: figure for figure in LEGACY},
+    "metres": metrics.METRES[1],
+    "pixels": metrics.PIXELS[1],
+    "within": metrics.WITHIN,
+    **{figure.key: figure for figure in metrics.LEGACY},
 }
 _WORDS = {
     "metres": "frames' medians on the ground, m",
@@ -418,8 +417,8 @@ def closer_method_table(
         Column("difference", f"{names[1]} − {names[2]}", "number"),
         *_ENDS,
         count_column("frames", "frames of all"),
-        metric_column(P_VALUE),
-        metric_column(P_CORRECTED),
+        metric_column(metrics.P_VALUE),
+        metric_column(metrics.P_CORRECTED),
         Column("nearer", f"nearer to {names[0]}"),
     )
     rows = tuple(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path, PurePath
 from string import ascii_uppercase
 from typing import Any
@@ -10,18 +11,16 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.batch.agreement import (
-    ConsensusResult,
-)
+from procc_annotator.batch.agreement import AgreementInference, ConsensusResult
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import ClassAgreement
 from procc_annotator.report.agreement import (
+    AGREEMENT_COLUMNS,
     ELEMENT_COLUMNS,
     WORST,
     AgreementReport,
-    agreement_columns,
     agreement_frames_table,
     agreement_json,
     agreement_values,
@@ -35,20 +34,8 @@ from procc_annotator.report.agreement import (
 from procc_annotator.report.outputs import open_target
 from procc_annotator.report.scores.score_files import field_terms, score_format
 from procc_annotator.report.scores.score_tables import worst_words
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
-from procc_annotator.report.tables.metrics import (  # fmt: skip
-    ADDED,
-    APART,
-    COMMON,
-    DISTANCES,
-    JAC,
-    LARGEST_PX,
-    LEFT_OUT,
-    MISSED,
-    ONLY_A,
-    ONLY_B,
-    POINTS,
-)
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
@@ -60,7 +47,7 @@ from procc_annotator.report.tables.table import (
     metric_values,
 )
 
-_COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
+_COUNTS = (metrics.COMMON, metrics.APART, metrics.ADDED, metrics.MISSED, metrics.LEFT_OUT)
 _LONE = ("added", "missed")
 
 
@@ -110,43 +97,43 @@ def consensus_tables(agreed: AgreementReport) -> tuple[MetricTable, ...]:
 
 def others_table(agreed: AgreementReport) -> MetricTable:
     """Each annotator against the consensus of the others, with intervals."""
-    columns = (
-        Column("annotator", "annotator"), Column("name", "name"), TAU, count_column("frames"),
-        *agreement_columns(), metric_column(LARGEST_PX), *_counts(_COUNTS),
-    )  # fmt: skip
     names = short_names([source.path for source in agreed.run.sources])
-    rows = [
-        (ascii_uppercase[at], names[at], tau, found.summary.frames,
-         *agreement_values(found, tau), found.summary.overall.largest,
-         *metric_values(_COUNTS, found.summary.overall))
-        for at, found in agreed.others.items()
-        for tau in agreed.run.thresholds
-    ]  # fmt: skip
+    found = {(ascii_uppercase[at], names[at]): own for at, own in agreed.others.items()}
     notes = [f"In brackets {agreed.known}."]
     if of_one_other := sum(len(result.pairs) == 1 for result in agreed.results):
         alone = pluralize(of_one_other, "frame")
         notes.append(f"Of {alone} with two annotators each is compared with the other one.")
-    return MetricTable(
-        "annotators", "Each annotator against the consensus of the others", columns, tuple(rows),
-        agreed.described, tuple(notes),
-    )  # fmt: skip
+    sheet = _agreements_table(agreed, found, ("annotator", "name"), _COUNTS)
+    title = "Each annotator against the consensus of the others"
+    return replace(sheet, name="annotators", title=title, notes=tuple(notes))
 
 
 def pairs_table(agreed: AgreementReport) -> MetricTable:
     """Every two annotators."""
-    counts = (COMMON, APART, ONLY_A, ONLY_B)
+    found = {(ascii_uppercase[a], ascii_uppercase[b]): own for (a, b), own in agreed.pairs.items()}
+    counts = (metrics.COMMON, metrics.APART, metrics.ONLY_A, metrics.ONLY_B)
+    sheet = _agreements_table(agreed, found, ("A", "B"), counts)
+    return replace(sheet, name="pairs", title="Every two annotators")
+
+
+def _agreements_table(
+    agreed: AgreementReport,
+    found: Mapping[tuple[str, str], AgreementInference],
+    headings: tuple[str, str],
+    counts: tuple[Metric, ...],
+) -> MetricTable:
+    """A row an agreement and threshold, by what the agreements are of."""
     columns = (
-        Column("a", "A"), Column("b", "B"), TAU, count_column("frames"), *agreement_columns(),
-        metric_column(LARGEST_PX), *_counts(counts),
+        *(Column(h.lower(), h) for h in headings), TAU, count_column("frames"), *AGREEMENT_COLUMNS,
+        metric_column(metrics.LARGEST_PX), *_counts(counts),
     )  # fmt: skip
-    rows = [
-        (ascii_uppercase[a], ascii_uppercase[b], tau, found.summary.frames,
-         *agreement_values(found, tau), found.summary.overall.largest,
-         *metric_values(counts, found.summary.overall))
-        for (a, b), found in agreed.pairs.items()
+    rows = tuple(
+        (*who, tau, own.summary.frames, *agreement_values(own, tau), own.summary.overall.largest,
+         *metric_values(counts, own.summary.overall))
+        for who, own in found.items()
         for tau in agreed.run.thresholds
-    ]  # fmt: skip
-    return MetricTable("pairs", "Every two annotators", columns, tuple(rows), agreed.described)
+    )  # fmt: skip
+    return MetricTable("", "", columns, rows, agreed.described)
 
 
 def consensus_classes_table(agreed: AgreementReport) -> MetricTable:
@@ -162,7 +149,8 @@ def consensus_classes_table(agreed: AgreementReport) -> MetricTable:
                     found.setdefault(name, [])
                     lone[name, key] = lone.get((name, key), 0) + 1
     columns = (
-        Column("class", "class"), *_counts((POINTS, *_COUNTS)), *map(metric_column, DISTANCES),
+        Column("class", "class"), *_counts((metrics.POINTS, *_COUNTS)),
+        *map(metric_column, metrics.DISTANCES),
     )  # fmt: skip
     rows = []
     for name in sorted(found):
@@ -176,7 +164,7 @@ def consensus_classes_table(agreed: AgreementReport) -> MetricTable:
             len(pooled.distances), len(found[name]), apart, lone.get((name, "added"), 0),
             lone.get((name, "missed"), 0), pooled.left_out,
         )  # fmt: skip
-        rows.append((name.strip(), *counts, *metric_values(DISTANCES, pooled)))
+        rows.append((name.strip(), *counts, *metric_values(metrics.DISTANCES, pooled)))
     title = "Classes, all annotators against the others"
     return MetricTable("classes", title, columns, tuple(rows), agreed.described)
 
@@ -197,9 +185,9 @@ def worst_consensus_table(agreed: AgreementReport) -> MetricTable:
     columns = (
         Column("frame", "frame"),
         Column("annotator", "annotator"),
-        metric_column(JAC),
-        *_counts((ADDED, MISSED)),
-        metric_column(LARGEST_PX),
+        metric_column(metrics.JAC),
+        *_counts((metrics.ADDED, metrics.MISSED)),
+        metric_column(metrics.LARGEST_PX),
         Column("farthest", "farthest element"),
         Column("labels", "labels"),
     )

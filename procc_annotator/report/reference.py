@@ -15,23 +15,13 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.metrics.agreement import FrameAgreement, sorted_quantile
 from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import (
-    agreement_columns,
+    AGREEMENT_COLUMNS,
     agreement_values,
     intervals_described,
 )
 from procc_annotator.report.scores.score_files import field_terms, score_format
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
-from procc_annotator.report.tables.metrics import (
-    ADDED,
-    APART,
-    COMMON,
-    JAC,
-    LARGEST_PX,
-    LEFT_OUT,
-    MEDIAN_PX,
-    MISSED,
-    P95_PX,
-)
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
@@ -42,7 +32,7 @@ from procc_annotator.report.tables.table import (
     metric_values,
 )
 
-_COUNTS = (COMMON, APART, ADDED, MISSED, LEFT_OUT)
+_COUNTS = (metrics.COMMON, metrics.APART, metrics.ADDED, metrics.MISSED, metrics.LEFT_OUT)
 
 Progress = Callable[[Iterable[ConsensusResult], int, str], Iterable[ConsensusResult]]
 
@@ -97,8 +87,8 @@ class AgainstReference:
             Column("annotator", "annotator"),
             TAU,
             count_column("frames"),
-            *agreement_columns(),
-            metric_column(LARGEST_PX),
+            *AGREEMENT_COLUMNS,
+            metric_column(metrics.LARGEST_PX),
             *(count_column(figure.key, figure.title) for figure in _COUNTS),
         )
         notes = (f"In brackets {'; '.join(self.known)}.",)
@@ -111,14 +101,14 @@ class AgainstReference:
         Raises:
             SaveError: it cannot be written.
         """
-        jacs = (Column(f"jac_{t:g}", f"JaC @{t:g}", "number", JAC) for t in run.thresholds)
+        jacs = (Column(f"jac_{t:g}", f"JaC @{t:g}", "number", metrics.JAC) for t in run.thresholds)
         columns = (
             Column("annotator", "annotator"),
             Column("frame", "frame"),
             *jacs,
-            metric_column(MEDIAN_PX),
-            metric_column(P95_PX),
-            metric_column(LARGEST_PX),
+            metric_column(metrics.MEDIAN_PX),
+            metric_column(metrics.P95_PX),
+            metric_column(metrics.LARGEST_PX),
             count_column("added"),
             count_column("missed"),
         )

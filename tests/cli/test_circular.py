@@ -68,6 +68,8 @@ def test_fits_without_marks_are_found_and_published_methods_are_not(cli, wc14, f
     methods = dict.fromkeys(("pnl", "nbjw", "carwc"), "")
     assert marks == dict.fromkeys(("P", "R", "Rp", "H"), "§") | methods
     assert tested == {("pnl", "nbjw"), ("pnl", "carwc"), ("nbjw", "carwc")}
+    scores = json.loads((wc14 / "s.json").read_text())["evaluations"]
+    assert {s["method"] for s in scores if "too_close_to_clicks" in s} == {"P", "R", "Rp", "H"}
 
 
 def test_marks_survive_conversion_copying_and_changed_clicks(cli, wc14, fits, tmp_path):

@@ -17,20 +17,20 @@ _MOST_NAMED = 5
 
 def findings(report: AuditReport) -> list[str]:
     """Sentences for the head of the page, the most important first."""
-    certainty = report.certainty
-    found = [_best_at(report, tau) for tau in report.thresholds] if certainty.methods else []
+    certainty, tau = report.certainty, report.tau
+    found = [_best_at(report, px) for px in report.thresholds] if certainty.methods else []
     found += _error(report)
     found += _where(report)
     for pair in certainty.held_out_pairs:
-        *shares, difference = pair.differences[report.tau]
+        shares, difference = pair.held_out[tau], pair.differences["held_out", tau]
         sign = 1 if shares[0] >= shares[1] else -1
         names = [certainty.sources[at].marked_name for at in (pair.a, pair.b)]
         better, worse = zip(names[::sign], shares[::sign], strict=True)
         found.append(
-            f"Leave-one-element-out at {report.tau:g} px: {better[0]} {100 * better[1]:.2f} %,"
+            f"Leave-one-element-out at {tau:g} px: {better[0]} {100 * better[1]:.2f} %,"
             f" above {worse[0]} {100 * worse[1]:.2f} %"
             f" {_ahead(difference, sign)}"
-            f" ({pluralize(pair.elements, 'element')} that both determine)."
+            f" ({pluralize(pair.shared, 'element')} that both determine)."
         )
     return [*found, *_uncounted(report)]
 

@@ -84,11 +84,6 @@ class ChosenFrames:
     worst: Mapping[str, tuple[str, ...]]
     random: tuple[str, ...]
 
-    @property
-    def count(self) -> int:
-        """Pictures to draw."""
-        return sum(len(names) for names in self.worst.values()) + len(self.random) * len(self.worst)
-
 
 def choose_frames(report: AuditReport, worst: int, lot: int, seed: int) -> ChosenFrames:
     """The worst frames of every source, and some drawn at random from all that have a score.

@@ -157,19 +157,18 @@ def frames_table(report: AuditReport) -> MetricTable:
         Column("folder", "Folder"),
         *map(defined_count_column, (metrics.IMAGES, metrics.EVALUATED, metrics.WITHOUT)),
         defined_count_column(metrics.MIRRORED, f"@{report.tau:g}"),
-        defined_count_column(metrics.TIED, f"@{report.tau:g}"),
         defined_count_column(metrics.UNMATCHED),
     )
     rows = []
     for source in report.sources:
-        counts: tuple[int | None, ...] = (None,) * 5
+        counts: tuple[int | None, ...] = (None,) * 4
         if source.summaries:
             figures = source.summaries[report.tau]
             mirrored = sum(
                 frame.figures[report.tau].mirrored for frame in source.frames if frame.figures
             )
             missing = figures.images - figures.evaluated
-            counts = (figures.images, figures.evaluated, missing, mirrored, figures.tied)
+            counts = (figures.images, figures.evaluated, missing, mirrored)
         rows.append((source.marked_name, source.folder, *counts, len(source.unmatched)))
     return MetricTable("frames", "Frames behind the figures", columns, tuple(rows))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -71,9 +71,7 @@ def intervals_table(
     certainty: Inference, summaries: Sequence[Mapping[float, SetSummary]], described: str
 ) -> MetricTable:
     """Every mean of every source with its interval."""
-    columns = [Column("source", "method"), TAU]
-    for figure in metrics.WITH_INTERVAL:
-        columns += [metric_column(figure), *interval_columns(figure)]
+    columns = (Column("source", "method"), TAU, *columns_with_intervals(metrics.WITH_INTERVAL))
     rows = []
     for source, found, summary in zip(
         certainty.sources, certainty.intervals, summaries, strict=True
@@ -85,7 +83,12 @@ def intervals_table(
             rows.append(tuple(row))
     ties = tie_notes({s.name: own for s, own in zip(certainty.sources, summaries, strict=True)})
     notes = (f"In brackets {certainty.described}.", *ties, *certainty.cautions)
-    return MetricTable("intervals", "Intervals", tuple(columns), tuple(rows), described, notes)
+    return MetricTable("intervals", "Intervals", columns, tuple(rows), described, notes)
+
+
+def columns_with_intervals(figures: Iterable[Metric]) -> list[Column]:
+    """Figures as columns, each with its interval."""
+    return [c for figure in figures for c in (metric_column(figure), *interval_columns(figure))]
 
 
 def interval_columns(figure: Metric) -> tuple[Column, Column]:
@@ -149,12 +152,12 @@ def held_out_pairs_table(certainty: Inference, described: str) -> MetricTable:
     names = [source.name for source in certainty.sources]
     rows = tuple(
         (
-            tau, names[pair.a], names[pair.b], verdict(found), of_a, of_b, found.value,
-            *interval_ends(found.interval), found.p, found.corrected, pair.elements, found.frames,
+            tau, names[pair.a], names[pair.b], verdict(found), *pair.held_out[tau], found.value,
+            *interval_ends(found.interval), found.p, found.corrected, pair.shared, found.frames,
         )
         for tau in certainty.thresholds
         for pair in certainty.held_out_pairs
-        for of_a, of_b, found in [pair.differences[tau]]
+        for found in [pair.differences["held_out", tau]]
     )  # fmt: skip
     bold = {(at, 6) for at, row in enumerate(rows) if row[3] == SIGNIFICANT}
     notes = (
@@ -326,14 +329,10 @@ def strata_metrics_table(
 ) -> MetricTable:
     """Every figure of every source in each part at every threshold, with intervals."""
     by = parts[0].by
-    columns = [
-        Column("value", by),
-        Column("source", "method"),
-        TAU,
-        defined_count_column(metrics.FRAMES),
-    ]
-    for figure in metrics.WITH_INTERVAL:
-        columns += [metric_column(figure), *interval_columns(figure)]
+    columns = (
+        Column("value", by), Column("source", "method"), TAU, defined_count_column(metrics.FRAMES),
+        *columns_with_intervals(metrics.WITH_INTERVAL),
+    )  # fmt: skip
     rows: list[tuple[Value, ...]] = []
     begins = []
     for part in parts:

@@ -16,17 +16,8 @@ from procc_annotator.metrics.measurement import Labelling
 from procc_annotator.metrics.score import FrameScore, Status
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup
+from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_header, csv_rows, encoded, metric_entry
-from procc_annotator.report.tables.metrics import (
-    FN,
-    FP,
-    JAC,
-    OF_ANNOTATION,
-    OF_CLASS,
-    OF_FRAME,
-    OF_SET,
-    TP,
-)
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
@@ -57,13 +48,13 @@ def field_terms(field: Field) -> dict[str, Any]:
     }
 
 
-COUNTS = (TP, FP, FN)
+COUNTS = (metrics.TP, metrics.FP, metrics.FN)
 
 FRAME_COLUMNS = (
-    metric_column(JAC),
+    metric_column(metrics.JAC),
     *(count_column(count.key) for count in COUNTS),
     Column("mirrored", kind="yes_no"),
-    *map(metric_column, OF_FRAME),
+    *map(metric_column, metrics.OF_FRAME),
 )
 
 # Whether the camera was fitted to the annotation it is judged by, or to another version of it.
@@ -77,7 +68,11 @@ def frame_values(score: FrameScore | None) -> tuple[Value, ...]:
     """A frame's figures at a threshold, a value for each of `FRAME_COLUMNS`."""
     if score is None:
         return (None,) * len(FRAME_COLUMNS)
-    return (*metric_values((JAC, *COUNTS), score), score.mirrored, *metric_values(OF_FRAME, score))
+    return (
+        *metric_values((metrics.JAC, *COUNTS), score),
+        score.mirrored,
+        *metric_values(metrics.OF_FRAME, score),
+    )
 
 
 _COLUMNS = (
@@ -92,7 +87,7 @@ _COLUMNS = (
     Column("error"),
     *FITTED_COLUMNS,
     Column("model"),
-    *map(metric_column, OF_ANNOTATION),
+    *map(metric_column, metrics.OF_ANNOTATION),
 )
 
 
@@ -137,7 +132,7 @@ def _row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> Row:
     more = (
         *result.fitted.of_frame,
         result.model or None,
-        *metric_values(OF_ANNOTATION, result.clicked),
+        *metric_values(metrics.OF_ANNOTATION, result.clicked),
     )
     return (result.name, *terms, threshold, *frame_values(score), camera, error, *more)
 
@@ -167,14 +162,7 @@ class CsvScores:
     def add(self, fragment: bytes) -> None:
         self._stream.write(fragment)
 
-    def end(
-        self,
-        summary: Mapping[float, SetSummary] | None,
-        *,
-        ground_only: bool,
-        groups: Sequence[GroupSummary] = (),
-        more: Mapping[str, Any] | None = None,
-    ) -> None:
+    def end(self, *_summary: object, **_more: object) -> None:
         """Nothing: a set's figures have no row of their own."""
 
 
@@ -202,7 +190,7 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
     image: dict[str, Any] = {"name": result.name, "camera": result.camera, "error": result.error}
     image["model"] = result.model or None
     if result.clicked is not None:
-        image |= metric_entry(OF_ANNOTATION, result.clicked)
+        image |= metric_entry(metrics.OF_ANNOTATION, result.clicked)
     image["results"] = entries
     image |= result.fitted.entry(frame=True)
     if by:
@@ -216,9 +204,9 @@ def frame_entry(score: Any) -> dict[str, Any]:
     Args:
         score: a `FrameScore`, or whatever has its figures.
     """
-    counts = metric_entry((*COUNTS, JAC), score)
+    counts = metric_entry((*COUNTS, metrics.JAC), score)
     mirrored = {"mirrored": score.mirrored}
-    return counts | mirrored | metric_entry(OF_FRAME, score)
+    return counts | mirrored | metric_entry(metrics.OF_FRAME, score)
 
 
 class _Elements:
@@ -271,9 +259,9 @@ def _without_distances(status: Status) -> dict[str, Any]:
 def summary_entry(summary: SetSummary) -> dict[str, Any]:
     """A set's figures at one threshold, as ``out.json`` holds them."""
     per_class = {
-        name: metric_entry(OF_CLASS, figures) for name, figures in summary.per_class.items()
+        name: metric_entry(metrics.OF_CLASS, figures) for name, figures in summary.per_class.items()
     }
-    return metric_entry(OF_SET, summary) | {"per_class": per_class}
+    return metric_entry(metrics.OF_SET, summary) | {"per_class": per_class}
 
 
 class JsonScores:

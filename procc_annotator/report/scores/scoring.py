@@ -286,7 +286,9 @@ class _Scoring:
     def write_end(self, more: Mapping[str, Any]) -> None:
         """Write the end of the outputs, with more entries where they have any."""
         scored = self.scored
-        more = {**left_out_entry(scored, self._thresholds), **more}
+        more = {**scored.fitted.entry(), **left_out_entry(scored, self._thresholds), **more}
+        if scored.annotation_notes:
+            more["annotation_notes"] = list(scored.annotation_notes)
         for writer in self._writers:
             writer.end(
                 scored.summaries, ground_only=scored.ground_only, groups=scored.groups, more=more

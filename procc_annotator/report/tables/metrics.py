@@ -156,21 +156,16 @@ OF_AGREEMENT = (COMMON, APART, ONLY_A, ONLY_B, POINTS, LEFT_OUT, *DISTANCES)
 # --- two sources of cameras: attributes of `MapSummary` and `LegacyMetrics`, keys of comparisons
 # ------
 
-METRES = tuple(
-    Metric(key, title, "m", most=FAR, definition=f"The {words} distance on the ground.")
-    for key, title, words in (
-        ("minimum", "min", "least"),
-        ("median", "median", "median"),
-        ("maximum", "max", "largest"),
+METRES, PIXELS = (
+    tuple(
+        Metric(key, title, unit, most=FAR, definition=f"The {words} distance {where}.")
+        for key, title, words in (
+            ("minimum", "min", "least"),
+            ("median", "median", "median"),
+            ("maximum", "max", "largest"),
+        )
     )
-)
-PIXELS = tuple(
-    Metric(key, title, "px", most=FAR, definition=f"The {words} distance in the picture.")
-    for key, title, words in (
-        ("minimum", "min", "least"),
-        ("median", "median", "median"),
-        ("maximum", "max", "largest"),
-    )
+    for unit, where in (("m", "on the ground"), ("px", "in the picture"))
 )
 WITHIN = Metric(
     "within_offside_accuracy", "within 0.5 m", "%", None, 1,
@@ -371,11 +366,6 @@ WITHOUT = _count("without", "Without", "Annotated frames without a usable camera
 MIRRORED = _count(
     "mirrored", "Labels mirrored",
     "Frames whose score is that of the mirrored labels.",
-)  # fmt: skip
-TIED = _count(
-    "tied", "of these tied",
-    "Frames in which the labels as annotated score as high; the official evaluation counts the"
-    " mirrored ones.",
 )  # fmt: skip
 UNMATCHED = _count(
     "unmatched_cameras", "Cameras without annotation", "Cameras of frames that nobody annotated."
