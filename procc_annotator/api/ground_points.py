@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from pathlib import Path
@@ -24,7 +24,7 @@ from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.camera.backprojection import ground_covariance, ground_from_px
-from procc_annotator.camera.base import Camera, ElementProjections
+from procc_annotator.camera.base import Camera, CameraOrProjections, ElementProjections
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
@@ -46,7 +46,10 @@ if TYPE_CHECKING:
 
 Points = str | Path | Sequence[Mapping[str, Any]] | Any  # or a DataFrame
 AXES = ("field", "up", "corner", "metrica")
-_DIGITS = 4  # of metres and px
+_DIGITS, _DIGITS_OF_SHARES = 4, 7  # of metres and px: 0.1 mm
+_UNSEEN = "out of sight of the camera, or outside its lens model"
+_NO_GROUND = "projections of the elements alone, which have no ground"
+_SIZES = (("w", "h"), ("width", "height"))  # of boxes whose corner is x, y
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +59,7 @@ class PlacedPoints:
     Attributes:
         rows: the columns of the table and those that were added; None where a row has no place.
         reasons: why rows have no place -> how many.
-        notes: what to know of standard deviations.
+        notes: what size the pixels are of, and what to know of standard deviations.
     """
 
     rows: list[Row] = attribute(repr=False)
@@ -101,24 +104,27 @@ def to_ground(
     """
     table, known = _table(points, metres=False), as_field(field)
     factors, offsets = _axes(axes, known)
+    if pixel_sd is not None and not 0 <= pixel_sd < np.inf:
+        raise UsageError(f"pixel_sd: expected a standard deviation in px, found {pixel_sd!r}")
     ground, sds = np.full_like(table.places, np.nan), np.full_like(table.places, np.nan)
-    seen, alone = set[str](), []
-    for frame, camera, fit, rows in _by_frame(table, cameras, known, size, camera_size):
-        ground[rows] = ground_from_px(camera, table.places[rows])
-        sds[rows] = _deviations(camera, fit, ground[rows], pixel_sd)
-        seen.add(frame)
-        alone += [frame] if fit is None else []
+    views = _views(table, cameras, known, size, camera_size)
+    for view in views:
+        if isinstance(view.camera, ElementProjections):
+            continue
+        ground[view.rows] = ground_from_px(view.camera, table.places[view.rows])
+        sds[view.rows] = _deviations(view.camera, view.fit, ground[view.rows], pixel_sd)
     inside = field_rectangle(known).holds(ground).tolist()
     columns = dict(zip("XY", (ground * factors + offsets).T, strict=True))
     notes = []
     if np.isfinite(sds).any():
         columns |= dict(zip(("sigma_x", "sigma_y"), (sds * np.abs(factors)).T, strict=True))
+        alone = [view.frame for view in views if view.fit is None]
         if alone and pixel_sd is not None:
             notes = [f"standard deviations of the pixels alone in {list_names(alone, 'frame')}"]
-    placed = _placed(table, columns, seen)
+    placed = _placed(table, columns, views, _DIGITS_OF_SHARES if axes == "metrica" else _DIGITS)
     for row, on_field in zip(placed.rows, inside, strict=True):
         row["on_field"] = None if row["X"] is None else on_field
-    return replace(placed, notes=tuple(notes))
+    return replace(placed, notes=(*placed.notes, *notes))
 
 
 def to_pixels(
@@ -146,13 +152,23 @@ def to_pixels(
     table, known = _table(points, metres=True), as_field(field)
     factors, offsets = _axes(axes, known)
     ground, px = (table.places - offsets) / factors, np.full_like(table.places, np.nan)
-    seen = set[str]()
-    for frame, camera, _, rows in _by_frame(table, cameras, known, size, camera_size):
-        world = np.column_stack((np.nan_to_num(ground[rows]), np.zeros(len(rows))))
-        found, shown = camera.project(world)
-        px[rows] = np.where((shown & np.isfinite(ground[rows, 0]))[:, None], found, np.nan)
-        seen.add(frame)
-    return _placed(table, dict(zip("xy", px.T, strict=True)), seen)
+    views = _views(table, cameras, known, size, camera_size)
+    for view in views:
+        if isinstance(view.camera, ElementProjections):
+            continue
+        on_ground = ground[view.rows]
+        world = np.column_stack((np.nan_to_num(on_ground), np.zeros(len(on_ground))))
+        found, shown = view.camera.project(world)
+        px[view.rows] = np.where((shown & np.isfinite(on_ground[:, 0]))[:, None], found, np.nan)
+    for width, height in _SIZES:
+        if table.rows and {"x", "y", width, height} <= table.rows[0].keys():
+            boxes = PointTable.of(table.rows, "points")  # its foot is where the place is
+            px += [[_number(r["x"]), _number(r["y"])] for r in table.rows] - boxes.places
+    return _placed(table, dict(zip("xy", px.T, strict=True)), views, _DIGITS)
+
+
+def _number(cell: Any) -> float:
+    return float("nan") if cell in (None, "") else float(cell)
 
 
 def homography_of(
@@ -208,27 +224,52 @@ def _axes(name: str, known: Field) -> tuple[FloatArray, FloatArray]:
     return factors, -first * factors
 
 
-def _by_frame(
+@dataclass(frozen=True, eq=False)
+class _View:
+    """A frame with a camera (px of ``size``, which is assumed if nothing says it), its fit if the
+    covariance is known, and the rows of the table."""
+
+    frame: str
+    camera: CameraOrProjections
+    fit: FitResult | None
+    rows: list[int]
+    size: tuple[int, int]
+    is_assumed: bool
+
+
+def _views(
     table: PointTable,
     cameras: Method,
     known: Field,
     size: tuple[int, int] | None,
     camera_size: tuple[int, int] | None,
-) -> Iterator[tuple[str, Camera, FitResult | None, list[int]]]:
-    """Of each frame with a camera its name, the camera in px of the points, its fit if the
-    covariance is known, and its rows; projections are no camera."""
+) -> list[_View]:
+    """The frames that have a camera.
+
+    Raises:
+        UsageError: a size is given, and cameras of files whose size nothing says.
+    """
     rows_of: dict[str, list[int]] = {}
     for row, frame in enumerate(table.frames):
         rows_of.setdefault(frame, []).append(row)
-    found, own = cameras_of(cameras, rows_of), as_optional_size(camera_size)
-    find = frame_finder(found)
+    cameras_by_frame, own = cameras_of(cameras, rows_of), as_optional_size(camera_size)
+    find, of_points, views = frame_finder(cameras_by_frame), as_optional_size(size), []
     for frame, rows in rows_of.items():
         name = find(frame)
-        if name is not None and (camera := found[name]) is not None:
-            at = as_optional_size(size) or getattr(camera, "size", None) or own or DEFAULT_SIZE
-            used = camera_at_size(camera, at, own, f"camera of {frame}", field=known).camera
-            if not isinstance(used, ElementProjections):
-                yield frame, used, _fit_of(camera), rows
+        if name is None or (camera := cameras_by_frame[name]) is None:
+            continue
+        usual = isinstance(camera, LoadedCamera) and camera.size_is_usual and own is None
+        stated = getattr(camera, "size", None) or own
+        if stated is None and of_points is not None and isinstance(camera, LoadedCamera):
+            raise UsageError(
+                f"camera of {frame}: nothing says what picture size it belongs to, so points of"
+                f" {of_points[0]}x{of_points[1]} px cannot be placed: give the camera size"
+            )
+        at = of_points or stated or DEFAULT_SIZE
+        used = camera_at_size(camera, at, own, f"camera of {frame}", field=known).camera
+        assumed = usual or (of_points is None and stated is None)
+        views.append(_View(frame, used, _fit_of(camera), rows, at, assumed))
+    return views
 
 
 def _fit_of(camera: AnyCamera) -> FitResult | None:
@@ -253,20 +294,25 @@ def _deviations(
 
 
 def _placed(
-    table: PointTable, columns: Mapping[str, FloatArray], seen: Container[str]
+    table: PointTable, columns: Mapping[str, FloatArray], views: Sequence[_View], digits: int
 ) -> PlacedPoints:
-    """The rows with more columns; seen: the frames that have a camera."""
+    """The rows with more columns."""
     rows = [dict(row) for row in table.rows]
     for name, values in columns.items():
         for row, value in zip(rows, values.tolist(), strict=True):
-            row[name] = round(value, _DIGITS) if value == value else None
+            row[name] = round(value, digits) if value == value else None
+    why = {
+        view.frame: _NO_GROUND if isinstance(view.camera, ElementProjections) else _UNSEEN
+        for view in views
+    }
     lost = Counter(
-        "empty cells"
-        if not np.isfinite(place).all()
-        else "out of sight of the camera, or outside its lens model"
-        if frame in seen
-        else "no camera"
+        why.get(frame, "no camera") if np.isfinite(place).all() else "empty cells"
         for row, frame, place in zip(rows, table.frames, table.places, strict=True)
         if row[next(iter(columns))] is None
     )
-    return PlacedPoints(rows, lost)
+    placing = [v for v in views if not isinstance(v.camera, ElementProjections)]
+    sizes = list(dict.fromkeys(f"{v.size[0]}x{v.size[1]}" for v in placing))
+    notes = [f"pixels are those of pictures of {' and '.join(sizes)}"] if sizes else []
+    if any(view.is_assumed for view in placing):
+        notes[0] += ", and the cameras do not say theirs: it is assumed (size, camera size)"
+    return PlacedPoints(rows, lost, tuple(notes))

@@ -107,6 +107,8 @@ def save_projection(
         UsageError: no camera, an argument of another kind, or files that are there.
         SaveError: writing failed.
     """
+    if isinstance(frames, str):
+        raise UsageError(f"frames: expected names of frames, found the text {frames!r}")
     out, given = as_path(path, "a folder or .zip"), frames and list(frames)
     found = cameras_of(cameras, given)
     setup, own = EvaluationSetup(as_field(field), as_size(size)), as_optional_size(camera_size)

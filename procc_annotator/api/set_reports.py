@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import datetime
 import json
+import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
@@ -18,7 +19,7 @@ from procc_annotator.api.methods import CamerasInMemory, Method, cameras_of
 from procc_annotator.batch.agreement import AgreementRun, ConsensusRun
 from procc_annotator.batch.comparison import ComparisonRun
 from procc_annotator.batch.execution.executor import Executor, make_executor
-from procc_annotator.batch.grouping import shots_by_name
+from procc_annotator.batch.grouping import NotInOrderError, shots_by_name
 from procc_annotator.batch.set_run import annotations_for
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.dataset.annotation_source import open_annotations
@@ -48,6 +49,7 @@ from procc_annotator.report.scores.inference import InferenceSettings
 from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations
 from procc_annotator.report.temporal import TemporalMetrics, measure_over_time, over_time_entries
 
+_FEWEST_RESAMPLES = 100
 Annotations = Mapping[str, FrameAnnotation] | Dataset | str | Path
 
 
@@ -96,7 +98,11 @@ class _Opened:
             names = dict.fromkeys(annotations_for(one.cameras.frames, self.source))
             shots = shots_by_name(names | dict.fromkeys(one.cameras.frames))
             by_name = shots, "by the names of frames", dict[str, Path]()
-            found.append(measure_over_time(one, by_name, threshold, self.executor))
+            try:
+                found.append(measure_over_time(one, by_name, threshold, self.executor))
+            except NotInOrderError as error:
+                warnings.warn(f"nothing is measured over time: {error}", stacklevel=3)
+                return []
         return found
 
 
@@ -106,7 +112,7 @@ def _opened(
 ) -> Iterator[_Opened]:
     """Annotations and methods as the commands read them; annotations that are given as values are
     written to a folder that is removed afterwards."""
-    if not isinstance(methods, Mapping):
+    if not isinstance(methods, Mapping) or not all(isinstance(name, str) for name in methods):
         raise UsageError(f"methods: expected them by name, found {kind_of(methods)}")
     if unknown := options.keys() - SetOptions.__annotations__.keys():
         raise UsageError(
@@ -152,6 +158,19 @@ def _write_annotations(annotations: Mapping[str, FrameAnnotation], folder: Path)
             target.write(file_of_frame(name, ".json"), write_annotation(as_annotation(one)))
 
 
+def _require_methods(methods: object) -> None:
+    if not methods:
+        raise UsageError("there is no method to evaluate")
+
+
+def _pairs(given: Sequence[Any]) -> tuple[tuple[str, str], ...]:
+    """Pairs of names; a single pair is one."""
+    pairs = [given] if len(given) == 2 and all(isinstance(name, str) for name in given) else given
+    if not all(isinstance(pair, Sequence) and len(pair) == 2 for pair in pairs):
+        raise UsageError(f"disagreement: expected pairs of names of methods, found {given!r}")
+    return tuple((pair[0], pair[1]) for pair in pairs)
+
+
 def _content(path: Path) -> dict[str, Any]:
     found: dict[str, Any] = json.loads(path.read_bytes())
     return found
@@ -192,10 +211,11 @@ def write_report(
     """
     files = [as_path(one, "a report") for one in ([path] if isinstance(path, str | Path) else path)]
     kinds, chosen = set(map(report.report_kind, files)), check_thresholds(thresholds)
+    _require_methods(methods)
     with _opened(annotations, methods, options) as one:
         today = datetime.date.today().isoformat()
         request = report.ReportRequest(
-            title or f"Cameras of {one.name}", today, seed=seed, disagreement=tuple(disagreement)
+            title or f"Cameras of {one.name}", today, seed=seed, disagreement=_pairs(disagreement)
         )
         report.check_request(request, list(one.cameras))
         work = ReportWork(one.executor, one.camera_size)
@@ -248,6 +268,9 @@ def compare_methods(
     Raises:
         UsageError, InputError: as of `write_report`.
     """
+    _require_methods(methods)
+    if not isinstance(resamples, int) or resamples < _FEWEST_RESAMPLES:
+        raise UsageError(f"resamples: expected at least {_FEWEST_RESAMPLES}, found {resamples!r}")
     settings = InferenceSettings(cluster, draws=BootstrapSettings(resamples, seed))
     chosen = check_thresholds(thresholds)
     with _opened(annotations, methods, options) as one:
@@ -256,8 +279,8 @@ def compare_methods(
         run.score(one.executor, lambda steps, *_: iter(steps), unwritten)
         for error in unwritten.values():
             raise error
-        more = {"over_time": over_time_entries(one.over_time(chosen[0]))} if over_time else {}
-        return _content(file) | more
+        steady = one.over_time(chosen[0]) if over_time else []
+        return _content(file) | ({"over_time": over_time_entries(steady)} if steady else {})
 
 
 def compare_annotators(

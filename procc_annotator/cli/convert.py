@@ -23,7 +23,7 @@ from procc_annotator.formats.annotations.registry import WRITTEN
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.homography import CONVENTIONS
 from procc_annotator.formats.cameras.submissions import POLYLINES
-from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
+from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE, writer_of
 from procc_annotator.formats.file_listing import list_annotations
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.ground_plane import region_of
@@ -250,7 +250,9 @@ def _convert_cameras(given: ConvertOptions) -> int:
         raise UsageError(
             f"nothing to do: no camera of {given.source} could be written to {given.out}"
         )
-    echo(f"{pluralize(done.written, 'camera')} written to {given.out}")
+    fixed = writer_of(CAMERA_TARGETS[given.to]).size
+    of = f", for pictures of {fixed[0]}x{fixed[1]} px, as the format has it" if fixed else ""
+    echo(f"{pluralize(done.written, 'camera')} written to {given.out}{of}")
     if given.to == "world":
         told = "nothing in these files tells them from wc14: read them with --camera-format world"
         remarks.report_remarks([told])

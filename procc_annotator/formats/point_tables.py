@@ -68,13 +68,16 @@ class PointTable:
         values = np.full((len(rows), matrix.shape[1]), np.nan)
         for n, row in enumerate(rows):
             given = [row.get(name) for name in columns]
-            given = given[0] or [None] * 4 if len(columns) == 1 else given
             try:
+                if len(columns) == 1:  # a list, or its text in a cell
+                    box = json.loads(given[0]) if isinstance(given[0], str) else given[0]
+                    given = box or [None] * 4
                 values[n] = [np.nan if v in (None, "") else float(v) for v in given]
             except (TypeError, ValueError):
                 problem = f"expected numbers under {', '.join(columns)}, found {json_repr(given)}"
                 raise InputError(path, problem, place=f"row {n + 1}") from None
         frames = tuple(_frame_name(row.get(frame)) for row in rows)
+        values[~np.isfinite(values)] = np.nan
         return cls(rows, frames, values @ matrix.T, tuple(columns))
 
 

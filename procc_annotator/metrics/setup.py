@@ -226,8 +226,7 @@ def check_thresholds(thresholds: float | Sequence[float]) -> tuple[float, ...]:
     Raises:
         UsageError: none given, or one that is not a positive number of pixels.
     """
-    if not isinstance(thresholds, Iterable):
-        thresholds = (thresholds,)
+    thresholds = tuple(thresholds) if isinstance(thresholds, Iterable) else (thresholds,)
     for threshold in thresholds:
         number = isinstance(threshold, int | float | np.number) and type(threshold) is not bool
         if not (number and math.isfinite(threshold) and threshold > 0):

@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from procc_annotator.arrays import FloatArray
+from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import CameraOrProjections, ElementProjections, scaled_camera
 from procc_annotator.camera.models import FisheyeCamera, MatrixCamera, PinholeCamera
 from procc_annotator.errors import CameraError
@@ -64,6 +66,11 @@ class LoadedCamera:
             stated: by the user; the file knows better, what is usual for its format does not.
         """
         return (stated or self.size) if self.size_is_usual else (self.size or stated)
+
+    def ground_from_px(self, points_px: FloatArray) -> FloatArray:
+        """(N, 2) px of ``size`` -> (N, 2) metres on the ground; NaN for pixels that do not show
+        it."""
+        return ground_from_px(self.camera, points_px)
 
 
 def with_notices(loaded: LoadedCamera, notices: Iterable[str]) -> LoadedCamera:

@@ -20,6 +20,7 @@ from procc_annotator import (
     load_cameras,
     load_dataset,
     project_field,
+    save_projection,
     write_report,
 )
 
@@ -103,6 +104,24 @@ def test_what_a_fit_predicts_is_worse_than_what_it_explains(given):
     predicted = [one.predicted_px for one in found if one.predicted_px is not None]
     assert np.mean(predicted) > np.mean([one.explained_px for one in found])
     assert len(found) > 5
+
+
+def test_wrong_arguments_are_one_error_each(given, tmp_path):
+    annotations, methods = given
+    two = {name: methods[name] for name in ("values", "folder")}
+    for match, call in (
+        ("no method", lambda: compare_methods(annotations, {})),
+        ("by name", lambda: compare_methods(annotations, {1: methods["values"]})),
+        ("at least 100", lambda: compare_methods(annotations, two, resamples=3)),
+        ("pairs of names", lambda: write_report(
+            tmp_path / "a.csv", annotations, two, disagreement=(("values",),))),
+        ("names of frames", lambda: save_projection(tmp_path / "p", methods["values"], "00001")),
+    ):  # fmt: skip
+        with pytest.raises(UsageError, match=match):
+            call()
+    with pytest.warns(UserWarning, match="nothing is measured over time"):
+        write_report(tmp_path / "a.csv", annotations, two, over_time=True, thresholds=np.array([5]))
+    assert (tmp_path / "a.csv").exists()
 
 
 def test_a_wrong_size_and_a_world_with_z_up_are_named(given):
