@@ -105,14 +105,8 @@ class ComparisonReport:
         return name_with_mark(a, of_a), name_with_mark(b, of_b)
 
 
-def _no_progress(
-    items: Iterable[ComparedFrame], _total: int, _what: str
-) -> Iterator[ComparedFrame]:
-    return iter(items)
-
-
 def compare_sources(
-    comparison: ComparisonRun, progress: Progress = _no_progress
+    comparison: ComparisonRun, progress: Progress = lambda items, _total, _what: iter(items)
 ) -> ComparisonReport:
     """Compare every frame.
 

@@ -101,7 +101,7 @@ def _where(report: AuditReport) -> Iterator[str]:
         for name, own in classes[0].items()
         if (other := classes[1].get(name)) and own.jac is not None and other.jac is not None
     }
-    if off:
+    if any(off.values()):
         name = max(off, key=lambda key: abs(off[key]))
         yield (
             f"Among classes {first.name} and {second.name} differ most on {name.strip()}:"

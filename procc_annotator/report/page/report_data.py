@@ -230,12 +230,6 @@ class AuditReport:
 Progress = Callable[[Iterable[Any], int, str], Iterator[Any]]
 
 
-def _no_progress(
-    items: Iterable[ReportedFrame], _total: int, _what: str
-) -> Iterator[ReportedFrame]:
-    return iter(items)
-
-
 @dataclass(frozen=True, slots=True)
 class ReportWork:
     """Means of evaluating frames: who shares the work (None: no one), who watches, and how points
@@ -243,7 +237,7 @@ class ReportWork:
 
     executor: Executor | None = None
     camera_size: tuple[int, int] | None = None
-    progress: Progress = _no_progress
+    progress: Progress = lambda items, _total, _what: iter(items)
     noise: ClickNoise | None = None
 
 
