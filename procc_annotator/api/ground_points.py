@@ -96,8 +96,9 @@ def to_ground(
         pixel_sd: standard deviation of the points along each axis, px; None if unknown.
 
     Returns:
-        The rows with ``X``, ``Y``, ``on_field``, and ``sigma_x``, ``sigma_y``: standard deviations
-        by the covariance of a fit (also of files that keep it) and ``pixel_sd``.
+        The rows with ``X``, ``Y``, ``on_field``, ``axes`` unless they are those of ``field``, and
+        ``sigma_x``, ``sigma_y``: standard deviations by the covariance of a fit (also of files that
+        keep it) and ``pixel_sd``.
 
     Raises:
         UsageError: an argument of another kind. InputError: a file or a row cannot be used.
@@ -124,6 +125,8 @@ def to_ground(
     placed = _placed(table, columns, views, _DIGITS_OF_SHARES if axes == "metrica" else _DIGITS)
     for row, on_field in zip(placed.rows, inside, strict=True):
         row["on_field"] = None if row["X"] is None else on_field
+        if axes != AXES[0]:
+            row["axes"] = axes
     return replace(placed, notes=(*placed.notes, *notes))
 
 
@@ -139,7 +142,7 @@ def to_pixels(
     """Find the pixels that show places on the ground, the way back of `to_ground`.
 
     Args:
-        points: as of `to_ground`, with ``X`` and ``Y`` in the axes.
+        points: as of `to_ground`, with ``X`` and ``Y`` in the axes, or those of a column ``axes``.
         cameras, field, camera_size, axes: as of `to_ground`.
         size: as of `to_ground`; of the pixels.
 
@@ -150,7 +153,10 @@ def to_pixels(
         UsageError, InputError: as of `to_ground`.
     """
     table, known = _table(points, metres=True), as_field(field)
-    factors, offsets = _axes(axes, known)
+    stated = {str(row["axes"]) for row in table.rows if "axes" in row}
+    if len(stated | {axes} - {AXES[0]}) > 1:
+        raise UsageError(f"the points are in the axes {', '.join(sorted(stated))}, not {axes}")
+    factors, offsets = _axes(next(iter(stated), axes), known)
     ground, px = (table.places - offsets) / factors, np.full_like(table.places, np.nan)
     views = _views(table, cameras, known, size, camera_size)
     for view in views:

@@ -181,6 +181,8 @@ def _positions(path: Path | None, workspace: Workspace) -> dict[str, FloatArray]
     if path is None:
         return {}
     table = PointTable.of(read_rows(path), path, metres=True)
+    if axes := {str(row["axes"]) for row in table.rows if "axes" in row}:
+        raise UsageError(f"{path}: positions in the axes {min(axes)}: write them in those of field")
     rows, find = dict[str, list[int]](), frame_finder(workspace.index)
     for row, frame in enumerate(table.frames):
         if (name := find(frame)) is not None:

@@ -126,6 +126,11 @@ def test_axes_and_the_way_back(cameras, axes):
     assert (found.rows[0]["X"], found.rows[0]["Y"]) == pytest.approx(there[axes], abs=1e-4)
     positions = [{key: row[key] for key in ("frame", "X", "Y")} for row in found.rows]
     assert to_pixels(positions, cameras, axes=axes).rows[0]["x"] == pytest.approx(420, abs=0.5)
+    assert to_pixels(found.rows, cameras).rows == to_pixels(found.rows, cameras, axes=axes).rows
+    other = "corner" if axes == "up" else "up"
+    if axes != "field":  # the rows say theirs
+        with pytest.raises(UsageError, match=f"in the axes {axes}, not {other}"):
+            to_pixels(found.rows, cameras, axes=other)
 
 
 def test_standard_deviations_by_the_camera_and_by_the_pixel(sample_data, cli, tmp_path):

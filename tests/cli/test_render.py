@@ -186,6 +186,9 @@ def test_a_top_view_has_the_field_where_it_is(cli, dataset, tmp_path):
     orange = (np.abs(drawn[..., ::-1] - (0xE6, 0x9F, 0x00)).max(axis=2) < 30).nonzero()
     assert np.median(orange[1]) == pytest.approx((-10 + 57.5) * 10, abs=1)
     assert np.median(orange[0]) == pytest.approx((20 + 39) * 10, abs=1)
+    positions.write_text("frame,X,Y,axes\n3,1,2,corner\n")
+    again = ("--cameras", dataset.cameras, "--top-view", "--overwrite")
+    assert "in the axes corner" in cli("render", dataset.root, out, *again, *table, code=2).stderr
     for name in ("a.png", "a.mkv", "a.pdf"):
         refused = cli("render", dataset.root, tmp_path / name, code=2)
         assert "expected a folder, or a name that ends in .mp4; with --top-view" in refused.stderr
