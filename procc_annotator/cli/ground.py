@@ -27,7 +27,8 @@ number as frame means the only camera whose name ends in it (12: camera_000012.j
 The same rows are written with X, Y, on_field and, where cameras keep their covariance or with
 --pixel-sd, the standard deviations sigma_x, sigma_y. Rows without a place have empty cells.
 
-Exit code: 0; 1 if some cameras were unreadable (listed); 2 if there was nothing to do.
+Exit code: 0; 1 if some cameras were unreadable (listed); 2 if there was nothing to do or no row
+has a place.
 """
 
 EXAMPLE = """
@@ -115,4 +116,4 @@ def ground(given: GroundOptions) -> None:
     echo(f"{rows - lost} of {pluralize(rows, 'row')} placed{of_these}", err=True)
     lines = (f"no place for {pluralize(n, 'row')}: {why}" for why, n in placed.reasons.items())
     remarks.report_remarks([*lines, *placed.notes])
-    raise typer.Exit(remarks.report_unreadable(problems))
+    raise typer.Exit(remarks.report_unreadable(problems) if lost < rows else 2)

@@ -181,6 +181,8 @@ def _positions(path: Path | None, workspace: Workspace) -> dict[str, FloatArray]
     if path is None:
         return {}
     table = PointTable.of(read_rows(path), path, metres=True)
+    if table.columns == ("x", "y"):
+        raise UsageError(f"{path}: has x, y in px alone: positions have X, Y in metres (ground)")
     if axes := {str(row["axes"]) for row in table.rows if "axes" in row}:
         raise UsageError(f"{path}: positions in the axes {min(axes)}: write them in those of field")
     rows, find = dict[str, list[int]](), frame_finder(workspace.index)

@@ -174,7 +174,7 @@ class FrameTable(ByFrame[T]):
 
 def frame_finder(frames: ByFrame[Any]) -> Callable[[str], str | None]:
     """Return what finds the frame that a name in a table means: the one of that name, or of a bare
-    number the only one that ends in it (12: ``000012``)."""
+    number the only one that ends in it (12: ``000012``); UsageError where several do."""
     numbers: dict[int, list[str]] = {}
     for name in frames:
         if digits := re.search(r"[0-9]+$", name):
@@ -184,7 +184,12 @@ def frame_finder(frames: ByFrame[Any]) -> Callable[[str], str | None]:
         if name in frames or not re.fullmatch("[0-9]+", name):
             return frames.name_there(name)
         alike = numbers.get(int(name), [])
-        return alike[0] if len(alike) == 1 else None
+        if len(alike) > 1:
+            others = ", ".join(alike[:3])
+            raise UsageError(
+                f"frame {name}: {len(alike)} end in this number: {others}; name it whole"
+            )
+        return alike[0] if alike else None
 
     return find
 

@@ -100,6 +100,8 @@ def test_rows_without_a_place_stay_and_are_counted_with_their_reason(cli, camera
         ("frame,a\n1,2\n", "expected frame and x, y or a box"),
         ("frame,x,y\n3,left,300\n", "row 1: expected numbers under x, y"),
         ("frame,x,y\n3,1\n", "has 2 cells"),
+        ("frame,x,y\n7,1,2\n", "frame 7: 2 end in this number: a_000007, b_000007"),
+        ("frame,x,y\n4,1,2\n", "0 of 1 row placed"),
     ],
 )
 def test_a_table_that_cannot_be_used_is_refused_with_the_place(
@@ -107,6 +109,8 @@ def test_a_table_that_cannot_be_used_is_refused_with_the_place(
 ):
     points = tmp_path / "points.csv"
     points.write_text(content)
+    for name in ("a", "b"):
+        (cameras / f"camera_{name}_000007.json").write_text(json.dumps(camera_file(0.0)))
     assert says in cli("ground", points, "--cameras", cameras, code=2).stderr
     with pytest.raises(UsageError, match="unknown axes"):
         to_ground([{"frame": 3, "x": 1, "y": 2}], cameras, axes="down")

@@ -188,6 +188,10 @@ def test_a_top_view_has_the_field_where_it_is(cli, dataset, tmp_path):
     assert np.median(orange[0]) == pytest.approx((20 + 39) * 10, abs=1)
     positions.write_text("frame,X,Y,axes\n3,1,2,corner\n")
     again = ("--cameras", dataset.cameras, "--top-view", "--overwrite")
+    px = tmp_path / "px.csv"
+    px.write_text("frame,x,y\n3,1,2\n")
+    refused = cli("render", dataset.root, out, *again, "--positions", px, code=2)
+    assert "x, y in px alone" in refused.stderr
     assert "in the axes corner" in cli("render", dataset.root, out, *again, *table, code=2).stderr
     for name in ("a.png", "a.mkv", "a.pdf"):
         refused = cli("render", dataset.root, tmp_path / name, code=2)
