@@ -6,7 +6,7 @@ import importlib.util
 import re
 import shlex
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 _SHOWN_NAMES = 5
 # So many remarks that differ in their numbers only are reported one by one.
@@ -69,9 +69,3 @@ def install_hint(extra: str) -> str:
     if importlib.util.find_spec("pip") is not None:
         return f"install it with: {python} -m pip install 'procc-annotator[{extra}]'"
     return f"install it with: uv pip install --python {python} 'procc-annotator[{extra}]'"
-
-
-def markdown_table(rows: Iterable[Sequence[str]]) -> str:
-    """Rows of cells as a table in Markdown; the first one is its head."""
-    head, *body = [f"| {' | '.join(cells)} |" for cells in rows]
-    return "\n".join([head, re.sub(r"[^|]+", "---", head), *body, ""])

@@ -9,6 +9,7 @@ from typing import Protocol, cast, runtime_checkable
 import numpy as np
 
 from procc_annotator.arrays import BoolArray, FloatArray
+from procc_annotator.camera.models import size_factors
 
 
 @runtime_checkable
@@ -88,10 +89,8 @@ class ElementProjections:
         return bool(within and (np.abs(ends - border) <= _BORDER_TOLERANCE_PX).any())
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> ElementProjections:
-        """The same for another picture size (pixel centres: factors (W'-1)/(W-1))."""
-        factors = np.array(
-            [(to_size[0] - 1) / (from_size[0] - 1), (to_size[1] - 1) / (from_size[1] - 1)]
-        )
+        """The same for another picture size; see `size_factors`."""
+        factors = np.array(size_factors(from_size, to_size))
         pieces = {name: tuple(p * factors for p in parts) for name, parts in self.pieces.items()}
         samples = self.samples and {name: px * factors for name, px in self.samples.items()}
         return replace(self, pieces=pieces, samples=samples)
@@ -118,8 +117,7 @@ def scaled_camera(
     """
     if isinstance(camera, ElementProjections) or callable(getattr(camera, "scaled", None)):
         return cast(_Scalable, camera).scaled(from_size, to_size)
-    factors = (to_size[0] - 1) / (from_size[0] - 1), (to_size[1] - 1) / (from_size[1] - 1)
-    return ScaledCamera(camera, factors)
+    return ScaledCamera(camera, size_factors(from_size, to_size))
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,6 +139,5 @@ class ScaledCamera:
 
     def scaled(self, from_size: Size, to_size: Size) -> ScaledCamera:
         """For yet another picture size."""
-        sx = (to_size[0] - 1) / (from_size[0] - 1) * self.factors[0]
-        sy = (to_size[1] - 1) / (from_size[1] - 1) * self.factors[1]
-        return ScaledCamera(self.camera, (sx, sy))
+        sx, sy = size_factors(from_size, to_size)
+        return ScaledCamera(self.camera, (sx * self.factors[0], sy * self.factors[1]))

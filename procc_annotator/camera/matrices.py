@@ -47,6 +47,11 @@ class CameraPose:
     position_world: tuple[float, float, float]
     notices: tuple[str, ...] = ()
 
+    @property
+    def values(self) -> tuple[float, float, float, tuple[float, float, float]]:
+        """Pan, tilt, roll and position, as the camera models take them."""
+        return self.pan_rad, self.tilt_rad, self.roll_rad, self.position_world
+
 
 def focal_warnings(fx: float, fy: float) -> tuple[str, ...]:
     """Return what a person should see of focal lengths, px: no lens has negative ones, though a
@@ -212,16 +217,9 @@ def pinhole_from_parts(
         raise ValueError("the distortion tilts the sensor (tau_x, tau_y); no model here does")
     k1, k2, p1, p2, k3, k4, k5, k6, s1, s2, s3, s4 = d[:12]
     return PinholeCamera(
-        pose.pan_rad,
-        pose.tilt_rad,
-        pose.roll_rad,
-        pose.position_world,
-        inside.focal_px,
-        inside.principal_point_px,
-        (k1, k2, k3, k4, k5, k6),
-        (p1, p2),
-        (s1, s2, s3, s4),
-    )
+        *pose.values, inside.focal_px, inside.principal_point_px,
+        (k1, k2, k3, k4, k5, k6), (p1, p2), (s1, s2, s3, s4),
+    )  # fmt: skip
 
 
 def fisheye_from_parts(
@@ -237,15 +235,7 @@ def fisheye_from_parts(
     if not np.isfinite(distortion).all():
         raise ValueError("the distortion is not finite numbers")
     k1, k2, k3, k4 = (*map(float, distortion), *[0.0] * (4 - len(distortion)))
-    return FisheyeCamera(
-        pose.pan_rad,
-        pose.tilt_rad,
-        pose.roll_rad,
-        pose.position_world,
-        inside.focal_px,
-        inside.principal_point_px,
-        (k1, k2, k3, k4),
-    )
+    return FisheyeCamera(*pose.values, inside.focal_px, inside.principal_point_px, (k1, k2, k3, k4))
 
 
 def distortion_vector(camera: PinholeCamera) -> tuple[float, ...]:

@@ -18,6 +18,12 @@ NEAREST_DEPTH_M = 1e-3
 _IGNORE_OVERFLOW: dict[str, Any] = {"over": "ignore", "divide": "ignore", "invalid": "ignore"}
 
 
+def size_factors(from_size: tuple[int, int], to_size: tuple[int, int]) -> tuple[float, float]:
+    """What x and y in px are multiplied by for another picture size: (W'-1)/(W-1), (H'-1)/(H-1),
+    of pixel centres."""
+    return (to_size[0] - 1) / (from_size[0] - 1), (to_size[1] - 1) / (from_size[1] - 1)
+
+
 def rotation_cam_from_world(pan_rad: float, tilt_rad: float, roll_rad: float) -> FloatArray:
     """World -> camera rotation: the transpose of Rz(pan) @ Rx(tilt) @ Rz(roll).
 
@@ -53,9 +59,8 @@ class _PosedCamera:
         return backprojection.intersect_rays_with_ground(self, np.asarray(points_px, np.float64))
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> Self:
-        """The same camera for another picture size (pixel centres: factors (W'-1)/(W-1))."""
-        sx = (to_size[0] - 1) / (from_size[0] - 1)
-        sy = (to_size[1] - 1) / (from_size[1] - 1)
+        """The same camera for another picture size; see `size_factors`."""
+        sx, sy = size_factors(from_size, to_size)
         return replace(
             self,
             focal_px=(self.focal_px[0] * sx, self.focal_px[1] * sy),
@@ -297,14 +302,8 @@ class HomographyCamera:
             return homogeneous[:, :2] / np.where(valid, depth, 1.0)[:, None], valid
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> HomographyCamera:
-        """The same homography for another picture size (factors (W'-1)/(W-1), (H'-1)/(H-1))."""
-        factors = np.array(
-            [
-                (to_size[0] - 1) / (from_size[0] - 1),
-                (to_size[1] - 1) / (from_size[1] - 1),
-                1.0,
-            ]
-        )
+        """The same homography for another picture size; see `size_factors`."""
+        factors = np.array([*size_factors(from_size, to_size), 1.0])
         return HomographyCamera(factors[:, None] * self.image_from_world)
 
     def ground_from_px(self, points_px: FloatArray) -> FloatArray:
@@ -354,10 +353,9 @@ class MatrixCamera:
         return homogeneous[:, :2] / np.where(valid, depth, 1.0)[:, None], valid
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> MatrixCamera:
-        """The same camera for another picture size (factors (W'-1)/(W-1), (H'-1)/(H-1))."""
-        sx = (to_size[0] - 1) / (from_size[0] - 1)
-        sy = (to_size[1] - 1) / (from_size[1] - 1)
-        return MatrixCamera(np.array([[sx], [sy], [1.0]]) * self.image_from_world)
+        """The same camera for another picture size; see `size_factors`."""
+        factors = np.array([*size_factors(from_size, to_size), 1.0])
+        return MatrixCamera(factors[:, None] * self.image_from_world)
 
     def ground_from_px(self, points_px: FloatArray) -> FloatArray:
         """(N, 2) px -> (N, 2) metres on the ground; NaN at and beyond the horizon."""

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import PurePath
 
 from procc_annotator.formats.annotations.yolo_pose import is_pose_label
-from procc_annotator.messages import markdown_table
 
 _COLMAP = "export a COLMAP model (images, cameras) and give its folder"
 _NUMPY = "load it where it comes from and save the arrays K, R, t, dist with numpy.savez"
@@ -86,13 +85,3 @@ def unread_format(path: str, data: bytes = b"") -> UnreadFormat | None:
         if suffix in known.suffixes or any(m in head for m in known.marks) or known.is_of(data):
             return known
     return None
-
-
-def unread_table() -> str:
-    """The table of formats that are not read of the documentation, in Markdown."""
-    rows = []
-    for known in UNREAD_FORMATS:
-        marks = (mark.decode("latin-1").strip("\x89 \n").split("\n")[0] for mark in known.marks)
-        told = ", ".join(f"`{one}`" for one in (*known.suffixes, *marks)) or "its numbers"
-        rows.append((known.title, told, known.advice))
-    return markdown_table([("not read", "recognised by", "way out"), *rows])

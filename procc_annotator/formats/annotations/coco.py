@@ -14,8 +14,9 @@ A category of others may hold a template instead: places of a field. What is kno
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 from procc_annotator.annotation import Point, Polyline
@@ -23,12 +24,13 @@ from procc_annotator.errors import AnnotationError
 from procc_annotator.formats.annotations.exchange import (
     EXTRA_KEY,
     ExchangedFrame,
+    FrameReader,
     ReadContext,
     Size,
     WriteContext,
     points_to_px,
+    readers_by_image,
     require_objects,
-    without_image,
 )
 from procc_annotator.formats.annotations.label_map import (
     KeypointTemplate,
@@ -40,7 +42,6 @@ from procc_annotator.formats.annotations.label_map import (
     template_of,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
-from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
 from procc_annotator.formats.strict_json import decode_strict, json_repr, json_text, parse_number
 from procc_annotator.messages import pluralize
@@ -61,42 +62,27 @@ def sniff(content: Any) -> bool:
     return not any(type(i) is dict and any(k in i for k in other) for i in content["images"][:10])
 
 
-def read_many(
-    source: FileSource, files: Sequence[str], reading: ReadContext
-) -> Iterator[ExchangedFrame]:
-    """Every picture that has annotations with keypoints."""
-    for name in files:
-        with reading.going_on():
-            path = source.display(name)
-            reading.begin(name)
-            content = _decode(source.read(name), path)
-            without = not any(category.get("keypoints") for category in content["categories"])
-            if content["images"] and without and not content["annotations"]:
-                raise AnnotationError(
-                    path, f"holds {pluralize(len(content['images']), 'picture')}, no annotation",
-                    advice="CVAT writes no polylines as COCO: export CVAT for images 1.1 or"
-                    " Datumaro",
-                )  # fmt: skip
-            reading.begin(name, (image.get("file_name") for image in content["images"]))
-            kinds = {
-                _id(c, "id"): _kind(c, f"categories[{i}]", path, reading)
-                for i, c in enumerate(content["categories"])
-            }
-            found: dict[Any, list[tuple[int, dict[str, Any]]]] = {}
-            for i, entry in enumerate(content["annotations"]):
-                found.setdefault(_id(entry, "image_id"), []).append((i, entry))
-            reading.total = (reading.total or 0) + len(found)
-            for i, image in enumerate(content["images"]):
-                entries = found.pop(_id(image, "id"), None)
-                if entries is None:
-                    continue
-                with reading.going_on():
-                    frame = _read(image, f"images[{i}]", entries, kinds, path, reading)
-                    if frame is not None:
-                        yield frame
-            for entries in found.values():
-                with reading.going_on():
-                    raise without_image(*entries[0], path)
+def frames_of(
+    data: bytes, path: str, reading: ReadContext
+) -> tuple[Sequence[Any], Sequence[FrameReader]]:
+    """Every picture that has annotations with keypoints; see `FramesOf`."""
+    content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
+    content = require_objects(content, _LISTS, path, "file of COCO keypoints")
+    without = not any(category.get("keypoints") for category in content["categories"])
+    if content["images"] and without and not content["annotations"]:
+        raise AnnotationError(
+            path, f"holds {pluralize(len(content['images']), 'picture')}, no annotation",
+            advice="CVAT writes no polylines as COCO: export CVAT for images 1.1 or Datumaro",
+        )  # fmt: skip
+    kinds = {
+        _id(c, "id"): _kind(c, f"categories[{i}]", path, reading)
+        for i, c in enumerate(content["categories"])
+    }
+    found: dict[Any, list[tuple[int, dict[str, Any]]]] = {}
+    for i, entry in enumerate(content["annotations"]):
+        found.setdefault(_id(entry, "image_id"), []).append((i, entry))
+    read = partial(_read, kinds)
+    return readers_by_image(content["images"], found, partial(_id, key="id"), read, path, reading)
 
 
 @dataclass(frozen=True)
@@ -144,11 +130,6 @@ def _unknown_template(kind: _Kind) -> str:
     )
 
 
-def _decode(data: bytes, path: str) -> dict[str, Any]:
-    content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
-    return require_objects(content, _LISTS, path, "file of COCO keypoints")
-
-
 def _id(entry: dict[str, Any], key: str) -> Any:
     """An id as a key of a dict; whatever cannot be one matches nothing."""
     value = entry.get(key)
@@ -156,10 +137,10 @@ def _id(entry: dict[str, Any], key: str) -> Any:
 
 
 def _read(
+    kinds: dict[Any, _Kind],
     image: dict[str, Any],
     place: str,
     entries: list[tuple[int, dict[str, Any]]],
-    kinds: dict[Any, _Kind],
     path: str,
     reading: ReadContext,
 ) -> ExchangedFrame | None:

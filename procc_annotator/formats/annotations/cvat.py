@@ -9,7 +9,8 @@ interpolates, and exports what it interpolated with ``keyframe="0"``.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
+from functools import partial
 from itertools import count
 from pathlib import PurePosixPath
 from typing import TYPE_CHECKING, Any
@@ -30,13 +31,13 @@ from procc_annotator.formats.annotations.cvat_xml import (
 )
 from procc_annotator.formats.annotations.exchange import (
     ExchangedFrame,
+    FrameReader,
     ReadContext,
     Size,
     WriteContext,
     size_from_file,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, labels_for
-from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import picture_name
 from procc_annotator.formats.strict_json import json_text, printable
 
@@ -55,24 +56,16 @@ def sniff(data: bytes) -> bool:
     return b"<annotations" in data[:4096]
 
 
-def read_many(
-    source: FileSource, files: Sequence[str], reading: ReadContext
-) -> Iterator[ExchangedFrame]:
-    """Every picture that has shapes, and every frame of tracks."""
-    for name in files:
-        with reading.going_on():
-            path = source.display(name)
-            reading.begin(name, () if reading.in_tree else reading.pictures)
-            root = parse(source.read(name), path)
-            yield from read_tracks(root, path, reading)
-            images = root.findall("image")
-            reading.begin(name, (image.get("name") for image in images))
-            reading.total = (reading.total or 0) + len(images)
-            for i, image in enumerate(images):
-                with reading.going_on():
-                    frame = _read_image(image, i, path, reading)
-                    if frame is not None:
-                        yield frame
+def frames_of(
+    data: bytes, path: str, reading: ReadContext
+) -> tuple[Sequence[Any], Sequence[FrameReader]]:
+    """Every picture that has shapes, and every frame of tracks; see `FramesOf`."""
+    root = parse(data, path)
+    images = root.findall("image")
+    readers = _readers_of_tracks(root, path, reading)
+    readers += (partial(_read_image, image, i, path, reading) for i, image in enumerate(images))
+    pictures = () if reading.in_tree else reading.pictures
+    return [image.get("name") for image in images] or pictures, readers
 
 
 def _read_image(
@@ -160,31 +153,21 @@ def _image(
     return "\n".join([*lines, "  </image>"])
 
 
-def read_tracks(root: Element, path: str, reading: ReadContext) -> Iterator[ExchangedFrame]:
-    """Every frame in which any track has a key frame, with all that is seen there.
-
-    Args:
-        root: of the file.
-        path: how the file is called in messages.
-        reading: options; its ``pictures`` name the frames of a task of pictures.
-    """
+def _readers_of_tracks(root: Element, path: str, reading: ReadContext) -> list[FrameReader]:
+    """Of every frame in which any track has a key frame, with all that is seen there."""
     shapes: dict[int, Shapes] = {}
     keys: set[int] = set()
-    with reading.going_on():
-        for i, track in enumerate(root.findall("track")):
-            for j, shape in enumerate(track):
-                place = f"track {i + 1}, shape {j + 1}"
-                number = _number(shape.get("frame"), path, f"{place}.frame")
-                if shape.get("outside") != "1":
-                    shapes.setdefault(number, []).append((shape, track.get("label"), place))
-                    keys |= {number} if shape.get("keyframe", "1") == "1" else set()
+    for i, track in enumerate(root.findall("track")):
+        for j, shape in enumerate(track):
+            place = f"track {i + 1}, shape {j + 1}"
+            number = _number(shape.get("frame"), path, f"{place}.frame")
+            if shape.get("outside") != "1":
+                shapes.setdefault(number, []).append((shape, track.get("label"), place))
+                keys |= {number} if shape.get("keyframe", "1") == "1" else set()
     if len(keys) < len(shapes):
         reading.remarks.add("frames that CVAT interpolated from end to end are left out")
-    reading.total = (reading.total or 0) + len(keys)
     size = _size(root, path) if shapes else None
-    for number in sorted(keys):
-        with reading.going_on():
-            yield _frame(number, shapes[number], size, root, path, reading)
+    return [partial(_frame, n, shapes[n], size, root, path, reading) for n in sorted(keys)]
 
 
 def _number(text: str | None, path: str, place: str) -> int:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from dataclasses import field as attribute
 from decimal import Context, Decimal
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, Literal
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
@@ -19,6 +19,7 @@ from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap, Rule, Shape
 from procc_annotator.formats.annotations.soccernet import MAX_COORDINATE
+from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import (
     PICTURE_SUFFIX,
     FrameTable,
@@ -148,6 +149,7 @@ class ReadContext:
         labels: how many shapes have each label.
         unknown: the same of labels that stand for no class of the field.
         total: how many frames there are in all, as soon as it is known.
+        at: the frame that is read, or the file where no frame is known yet.
         on_problem: called with what is wrong with a frame or file; what it raises ends the reading.
     """
 
@@ -163,7 +165,7 @@ class ReadContext:
     unknown: Counter[str] = attribute(default_factory=Counter)
     total: int | None = None
     on_problem: Callable[[InputError], None] | None = None
-    _at: str = ""
+    at: str = ""
     _pictures: PictureFrames | None = None
 
     @contextmanager
@@ -179,12 +181,12 @@ class ReadContext:
         if self.on_problem is not None:
             self.on_problem(error)
         self.problems.append(str(error))
-        self.unread.setdefault(self._at, error)
+        self.unread.setdefault(self.at, error)
 
     def frame_of_file(self, file: str) -> str:
         """The frame of a file of its own; the next problem is reported of it."""
-        self._at = frame_of_file(file if self.in_tree else file.rpartition("/")[2])
-        return self._at
+        self.at = frame_of_file(file if self.in_tree else file.rpartition("/")[2])
+        return self.at
 
     def begin(self, file: str, pictures: Iterable[Any] = ()) -> None:
         """Go on with a file of many frames.
@@ -205,8 +207,8 @@ class ReadContext:
             AnnotationError: it is no text, or cannot be the name of a frame.
         """
         names = self._pictures or PictureFrames(())
-        self._at = names.frame(picture, path, place)
-        return self._at
+        self.at = names.frame(picture, path, place)
+        return self.at
 
     def size_in_file(self, width: Any, height: Any, path: str, place: str) -> Size:
         """The size of the picture of the frame that is read: as the file says, else the picture's.
@@ -214,7 +216,7 @@ class ReadContext:
         Raises:
             AnnotationError: no picture size, or no one knows it.
         """
-        size = size_from_file(width, height, path, place) or self.size_of(self._at)
+        size = size_from_file(width, height, path, place) or self.size_of(self.at)
         if size is None:
             advice = "put the picture beside it, or give the size"
             problem = "does not tell the size of the picture"
@@ -437,9 +439,51 @@ def require_objects(content: Any, keys: Sequence[str], path: str, kind: str) -> 
     return dict(content)
 
 
-def without_image(index: int, entry: dict[str, Any], path: str) -> AnnotationError:
-    """The error for an annotation of no image of the file."""
-    return AnnotationError(
+FrameReader = Callable[[], ExchangedFrame | None]
+# Bytes, name for messages, context -> the names of all pictures of a file, what reads each frame.
+FramesOf = Callable[[bytes, str, ReadContext], tuple[Sequence[Any], Sequence[FrameReader]]]
+
+
+def read_files(
+    source: FileSource, files: Sequence[str], reading: ReadContext, *, frames_of: FramesOf
+) -> Iterator[ExchangedFrame]:
+    """The frames of files that hold many each; what cannot be read is noted, frame by frame."""
+    for name in files:
+        with reading.going_on():
+            reading.begin(name)
+            pictures, readers = frames_of(source.read(name), source.display(name), reading)
+            reading.begin(name, pictures)
+            reading.total = (reading.total or 0) + len(readers)
+            for read in readers:
+                with reading.going_on():
+                    if (frame := read()) is not None:
+                        yield frame
+
+
+def readers_by_image(
+    images: Sequence[dict[str, Any]],
+    found: dict[Any, list[tuple[int, dict[str, Any]]]],
+    id_of: Callable[[dict[str, Any]], Any],
+    read: Callable[..., ExchangedFrame | None],
+    path: str,
+    reading: ReadContext,
+) -> tuple[list[Any], list[FrameReader]]:
+    """As of `FramesOf`, for a file with a list of images and one of annotations.
+
+    Args:
+        found: id of an image -> places and content of its annotations.
+        read: takes an image, its place, its annotations, path and reading.
+    """
+    readers: list[FrameReader] = []
+    for i, image in enumerate(images):
+        if (entries := found.pop(id_of(image), None)) is not None:
+            readers.append(partial(read, image, f"images[{i}]", entries, path, reading))
+    readers += (partial(_refuse_without_image, *entries[0], path) for entries in found.values())
+    return [image.get("file_name") for image in images], readers
+
+
+def _refuse_without_image(index: int, entry: dict[str, Any], path: str) -> None:
+    raise AnnotationError(
         path,
         f"belongs to no image: {json_repr(entry.get('image_id'))}",
         place=f"annotations[{index}].image_id",

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -19,11 +20,15 @@ import numpy as np
 from procc_annotator.annotation import Point
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.sampling import sample_evenly
-from procc_annotator.formats.annotations.exchange import ExchangedFrame, ReadContext, Size
+from procc_annotator.formats.annotations.exchange import (
+    ExchangedFrame,
+    FrameReader,
+    ReadContext,
+    Size,
+)
 from procc_annotator.formats.annotations.label_map import template_named
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector
 from procc_annotator.formats.csv_tables import read_table
-from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import PICTURE_SUFFIX, picture_name
 from procc_annotator.formats.strict_json import (
     decode_strict,
@@ -31,7 +36,7 @@ from procc_annotator.formats.strict_json import (
     parse_number,
     printable,
 )
-from procc_annotator.messages import markdown_table, pluralize
+from procc_annotator.messages import pluralize
 
 _KINDS = frozenset({
     "polyline", "line", "vector", "Polyline", "point", "points", "keypoint", "Keypoint",
@@ -87,26 +92,19 @@ class Tool:
             return all(map(_PLACE.fullmatch, content))
         return any(all(_all(content, m, _MOST_SNIFFED) for m in marks) for marks in self.marks)
 
-    def read_many(
-        self, source: FileSource, files: Sequence[str], reading: ReadContext
-    ) -> Iterator[ExchangedFrame]:
-        """Every picture that has a shape."""
-        for name in files:
-            with reading.going_on():
-                path, own = source.display(name), reading.frame_of_file(name)
-                content = decode_lines(source.read(name), path)
-                names = _all(content, self.names) if self.names else []
-                pictures = [
-                    (place, one, self._picture(one) or own.rpartition("/")[2])
-                    for place, one in _placed(content, self.pictures)
-                ]
-                reading.begin(name, (picture for _, _, picture in pictures))
-                reading.total = (reading.total or 0) + len(pictures)
-                for place, one, picture in pictures:
-                    with reading.going_on():
-                        found = self._read(one, picture, names, path, place, reading)
-                        if found is not None:
-                            yield found
+    def frames_of(
+        self, data: bytes, path: str, reading: ReadContext
+    ) -> tuple[Sequence[Any], Sequence[FrameReader]]:
+        """Every picture that has a shape; see `FramesOf`."""
+        own, content = reading.at.rpartition("/")[2], decode_lines(data, path)
+        names = _all(content, self.names) if self.names else []
+        pictures = _placed(content, self.pictures)
+        called = [self._picture(one) or own for _, one in pictures]
+        readers = [
+            partial(self._read, one, picture, names, path, place, reading)
+            for (place, one), picture in zip(pictures, called, strict=True)
+        ]
+        return called, readers
 
     def _picture(self, one: Any) -> str:
         texts = [v for way in self.picture for v in _all(one, way) if type(v) is str and v]
@@ -343,12 +341,3 @@ TOOLS: tuple[Tool, ...] = (
         template="tennis_14",
     ),
 )  # fmt: skip
-
-
-def tool_table() -> str:
-    """The table of `TOOLS` of the documentation, in Markdown."""
-    rows = []
-    for tool in TOOLS:
-        marks = " or ".join(f"`{' and '.join(marks)}`" for marks in tool.marks)
-        rows.append((f"`{tool.name}`", tool.title, f"`{tool.example}`", marks or "keys `(x, y)`"))
-    return markdown_table([("`--from`", "tool", "file", "recognised by"), *rows])

@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from dataclasses import field as attribute
+from functools import partial
 from pathlib import PurePosixPath
 from typing import Any, Literal
 
@@ -27,6 +28,7 @@ from procc_annotator.formats.annotations.exchange import (
     ReadContext,
     Size,
     WriteContext,
+    read_files,
 )
 from procc_annotator.formats.annotations.label_map import LabelMap
 from procc_annotator.formats.annotations.labelling_tools import TOOLS, decode_lines
@@ -109,7 +111,7 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "soccernet-v3", "SoccerNet-v3 (Labels-v3.json)", soccernet_v3.FILE_NAME, True,
         "order, unknown and repeated classes, classes without a point",
         "further keys of points; optional elements, unless they are asked for",
-        soccernet_v3.write_many, soccernet_v3.read_many,
+        soccernet_v3.write_many, partial(read_files, frames_of=soccernet_v3.frames_of),
         sniff_json=soccernet_v3.sniff, decode_existing=soccernet_v3.decode_existing,
         classes="soccernet", pictures="v3_frames", by_game=True,
     ),
@@ -117,7 +119,7 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "soccernet-gsr", "SoccerNet game state (Labels-GameState.json)",
         soccernet_gsr.FILE_NAME, False,
         "everything", "optional elements, unless they are asked for",
-        soccernet_gsr.write_many, soccernet_gsr.read_many,
+        soccernet_gsr.write_many, partial(read_files, frames_of=soccernet_gsr.frames_of),
         sniff_json=soccernet_gsr.sniff, decode_existing=soccernet_gsr.decode_existing,
         classes="soccernet", pictures="img1", by_game=True,
     ),
@@ -131,19 +133,20 @@ FORMATS: tuple[AnnotationFormat, ...] = (
         "cvat", "CVAT for images 1.1 XML", cvat.FILE_NAME, True,
         "order, unknown and repeated classes",
         "classes without a point, further keys of points and frames, frames without an element",
-        cvat.write_images, cvat.read_many, sniff=cvat.sniff, pictures="images",
+        cvat.write_images, partial(read_files, frames_of=cvat.frames_of), sniff=cvat.sniff,
+        pictures="images",
     ),
     AnnotationFormat(
         "cvat-video", "CVAT for video 1.1 XML (tracks)", cvat.FILE_NAME, True,
         "unknown and repeated classes; the order of those of a first frame",
         "classes without a point, further keys of points and frames, frames without an element",
-        cvat.write_tracks, cvat.read_many, pictures="images",
+        cvat.write_tracks, partial(read_files, frames_of=cvat.frames_of), pictures="images",
     ),
     AnnotationFormat(
         "coco", "COCO keypoints JSON", coco.FILE_NAME, True,
         "order, unknown and repeated classes, classes without a point",
         "further keys of points, frames without an element",
-        coco.write_many, coco.read_many, sniff_json=coco.sniff,
+        coco.write_many, partial(read_files, frames_of=coco.frames_of), sniff_json=coco.sniff,
         pictures="images/{split}", split=coco.DEFAULT_SPLIT,
     ),
     AnnotationFormat(
@@ -159,7 +162,7 @@ FORMATS: tuple[AnnotationFormat, ...] = (
     *(
         AnnotationFormat(
             tool.name, tool.title, tool.example, True, "nothing: it is not written", "all",
-            _only_read, tool.read_many, sniff_json=tool.sniff,
+            _only_read, partial(read_files, frames_of=tool.frames_of), sniff_json=tool.sniff,
         )
         for tool in TOOLS
     ),

@@ -70,7 +70,7 @@ def write_annotation(annotation: FrameAnnotation) -> bytes:
         ValueError: a coordinate is not finite; no reader would take the file.
     """
     entries: list[tuple[str, object]] = [
-        *((p.class_name, [_point_object(q) for q in p.points]) for p in annotation.polylines),
+        *((p.class_name, [point_object(q) for q in p.points]) for p in annotation.polylines),
         *annotation.extra,
     ]
     lines = [f"  {_json(key)}: {_json(value)}" for key, value in entries]
@@ -189,7 +189,12 @@ def _point(value: Any, path: str, place: str) -> Point:
     return Point(value["x"], value["y"], rest)
 
 
-def _point_object(point: Point) -> dict[str, Any]:
+def point_object(point: Point) -> dict[str, Any]:
+    """A point as an object of a file.
+
+    Raises:
+        ValueError: a coordinate is not finite.
+    """
     if not (math.isfinite(point.u) and math.isfinite(point.v)):
         raise ValueError(f"a point is not finite: {point}")
     return {"x": point.u, "y": point.v, **dict(point.extra)}

@@ -7,24 +7,24 @@ of the category pitch (5) has ``lines``: {class: [{x, y}]}, normalised as in Soc
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
-from procc_annotator.annotation import FrameAnnotation, Point
+from procc_annotator.annotation import Point
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.exchange import (
     EXTRA_KEY,
     ExchangedFrame,
+    FrameReader,
     ReadContext,
     WriteContext,
+    readers_by_image,
     require_objects,
     size_from_file,
-    without_image,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of
-from procc_annotator.formats.annotations.soccernet import annotation_of
-from procc_annotator.formats.file_source import FileSource
+from procc_annotator.formats.annotations.soccernet import annotation_of, point_object
 from procc_annotator.formats.frame_names import frame_of_picture, picture_name
 from procc_annotator.formats.strict_json import decode_strict, json_kind, json_text
 
@@ -45,29 +45,15 @@ def sniff(content: Any) -> bool:
     return of_images and type(entries) is list
 
 
-def read_many(
-    source: FileSource, files: Sequence[str], reading: ReadContext
-) -> Iterator[ExchangedFrame]:
-    """Every picture that has a pitch annotation."""
-    for name in files:
-        with reading.going_on():
-            path = source.display(name)
-            reading.begin(name)
-            content = decode_existing(source.read(name), path)
-            reading.begin(name, (image.get("file_name") for image in content["images"]))
-            pitches = _pitches(content["annotations"])
-            others = len(content["annotations"]) - sum(map(len, pitches.values()))
-            if others:
-                reading.remarks.add("players, ball, cameras and other annotations are left out")
-            reading.total = (reading.total or 0) + len(pitches)
-            for i, image in enumerate(content["images"]):
-                found = pitches.pop(_key(image["image_id"]), None)
-                if found is not None:
-                    with reading.going_on():
-                        yield _read(image, f"images[{i}]", found, path, reading)
-            for found in pitches.values():
-                with reading.going_on():
-                    raise without_image(*found[0], path)
+def frames_of(
+    data: bytes, path: str, reading: ReadContext
+) -> tuple[Sequence[Any], Sequence[FrameReader]]:
+    """Every picture that has a pitch annotation; see `FramesOf`."""
+    content = decode_existing(data, path)
+    pitches = _pitches(content["annotations"])
+    if sum(map(len, pitches.values())) < len(content["annotations"]):
+        reading.remarks.add("players, ball, cameras and other annotations are left out")
+    return readers_by_image(content["images"], pitches, _image_id, _read, path, reading)
 
 
 def decode_existing(data: bytes, path: str) -> dict[str, Any]:
@@ -86,15 +72,15 @@ def decode_existing(data: bytes, path: str) -> dict[str, Any]:
     return content
 
 
-def _key(image_id: Any) -> str:
-    return str(image_id)
+def _image_id(entry: dict[str, Any]) -> str:
+    return str(entry["image_id"])
 
 
 def _pitches(entries: list[dict[str, Any]]) -> dict[str, list[tuple[int, dict[str, Any]]]]:
     found: dict[str, list[tuple[int, dict[str, Any]]]] = {}
     for i, entry in enumerate(entries):
         if "lines" in entry:
-            found.setdefault(_key(entry["image_id"]), []).append((i, entry))
+            found.setdefault(_image_id(entry), []).append((i, entry))
     return found
 
 
@@ -150,8 +136,8 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
         name = frame_of_picture(image.get("file_name"), FILE_NAME, f"images[{i}]")
         by_frame.setdefault(name, []).append(image)
     pitches = _pitches(entries)
-    taken = {_key(entry["image_id"]) for entry in images}
-    taken_ids = {_key(entry.get("id")) for entry in entries}
+    taken = set(map(_image_id, images))
+    taken_ids = {str(entry.get("id")) for entry in entries}
     for frame in frames:
         there = by_frame.get(frame.name, [])
         if not writing.only_one(frame, [image["file_name"] for image in there]):
@@ -159,22 +145,28 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
         image = there[0] if there else _new_image(frame, writing, taken)
         if not there:
             images.append(image)
-        found = pitches.get(_key(image["image_id"]), [])
+        found = pitches.get(_image_id(image), [])
         if found:
             entry = found[0][1]
             for _, further in found[1:]:
                 further["lines"] = {}
                 further.pop(EXTRA_KEY, None)
         else:
-            entry = _new_entry(image, taken_ids)
+            entry = {
+                "id": _new_id(taken_ids),
+                "image_id": image["image_id"],
+                "supercategory": "pitch",
+                "category_id": PITCH_CATEGORY,
+            }
             entries.append(entry)
         if "has_labeled_pitch" in image:
             image["has_labeled_pitch"] = True
-        entry["lines"] = _lines_of(frame.annotation)
+        polylines = frame.annotation.polylines
+        entry["lines"] = {p.class_name: list(map(point_object, p.points)) for p in polylines}
         entry.pop(EXTRA_KEY, None)
         if frame.annotation.extra:
             entry[EXTRA_KEY] = dict(frame.annotation.extra)
-        writing.count(frame.annotation.polylines)
+        writing.count(polylines)
     writing.put_only_file(FILE_NAME, f"{json_text(content, 2)}\n".encode())
 
 
@@ -210,26 +202,9 @@ def _new_image(frame: ExchangedFrame, writing: WriteContext, taken: set[str]) ->
     }
 
 
-def _new_entry(image: dict[str, Any], taken_ids: set[str]) -> dict[str, Any]:
-    return {
-        "id": _new_id(taken_ids),
-        "image_id": image["image_id"],
-        "supercategory": "pitch",
-        "category_id": PITCH_CATEGORY,
-        "lines": {},
-    }
-
-
 def _new_id(taken: set[str]) -> str:
     number = 1_000_000_001 + len(taken)
     while str(number) in taken:
         number += 1
     taken.add(str(number))
     return str(number)
-
-
-def _lines_of(annotation: FrameAnnotation) -> dict[str, list[dict[str, Any]]]:
-    return {
-        p.class_name: [{"x": q.u, "y": q.v, **dict(q.extra)} for q in p.points]
-        for p in annotation.polylines
-    }

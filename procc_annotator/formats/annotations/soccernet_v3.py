@@ -8,6 +8,7 @@ Facts: https://github.com/SoccerNet/SoccerNet-v3 (``dataloader.py``). Under ``ac
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from typing import Any
 
 from procc_annotator.annotation import Polyline
@@ -15,6 +16,7 @@ from procc_annotator.errors import AnnotationError
 from procc_annotator.formats.annotations.exchange import (
     EXTRA_KEY,
     ExchangedFrame,
+    FrameReader,
     ReadContext,
     Size,
     WriteContext,
@@ -22,7 +24,6 @@ from procc_annotator.formats.annotations.exchange import (
     size_from_file,
 )
 from procc_annotator.formats.annotations.shape_joining import ShapeCollector, extra_of, labels_for
-from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import frame_of_picture, picture_name
 from procc_annotator.formats.strict_json import (
     decode_strict,
@@ -49,20 +50,13 @@ def sniff(content: Any) -> bool:
     )
 
 
-def read_many(
-    source: FileSource, files: Sequence[str], reading: ReadContext
-) -> Iterator[ExchangedFrame]:
-    """Every picture with lines that can be read."""
-    for name in files:
-        with reading.going_on():
-            path = source.display(name)
-            reading.begin(name)
-            entries = list(_entries(_decode(source.read(name), path), path))
-            reading.begin(name, (picture for picture, _, _ in entries))
-            reading.total = (reading.total or 0) + len(entries)
-            for picture, entry, place in entries:
-                with reading.going_on():
-                    yield _read(picture, entry, path, place, reading)
+def frames_of(
+    data: bytes, path: str, reading: ReadContext
+) -> tuple[Sequence[Any], Sequence[FrameReader]]:
+    """Every picture with lines that can be read; see `FramesOf`."""
+    entries = list(_entries(_decode(data, path), path))
+    readers = [partial(_read, *entry, path, reading) for entry in entries]
+    return [picture for picture, _, _ in entries], readers
 
 
 def _decode(data: bytes, path: str) -> dict[str, Any]:
@@ -93,7 +87,7 @@ def _entries(content: dict[str, Any], path: str) -> Iterator[tuple[str, Any, str
             yield picture, entry, f"{group}[{printable(picture)!r}]"
 
 
-def _read(picture: str, entry: Any, path: str, place: str, reading: ReadContext) -> ExchangedFrame:
+def _read(picture: str, entry: Any, place: str, path: str, reading: ReadContext) -> ExchangedFrame:
     frame = reading.frame_of_picture(picture, path, place)
     if type(entry) is not dict or type(entry.get("lines")) is not list:
         raise AnnotationError(

@@ -1,4 +1,4 @@
-"""The table of camera formats, from which detection, messages and documentation are made."""
+"""The table of camera formats, from which detection and messages are made."""
 
 from __future__ import annotations
 
@@ -35,7 +35,6 @@ from procc_annotator.formats.cameras.paired_files import (
     raise_half_of_pair,
 )
 from procc_annotator.formats.cameras.polylines import is_whole, polylines_from, polylines_records
-from procc_annotator.messages import markdown_table
 
 JSON = (".json", ".jsonl", *ARRAY_SUFFIXES)
 STORAGE_SUFFIXES = (".yml", ".yaml", ".xml")
@@ -218,12 +217,3 @@ ROWS: tuple[CameraFormat, ...] = (
         )
     ),
 )  # fmt: skip
-
-
-def format_table() -> str:
-    """The table of formats of the documentation, in Markdown."""
-    rows = []
-    for row in ROWS:
-        keys = f"`{row.keys}`" if row.keys else "its name"
-        rows.append((f"`{row.name}`", row.title, row.example, keys, row.world))
-    return markdown_table([("name", "format", "file", "recognised by", "world in the file"), *rows])
