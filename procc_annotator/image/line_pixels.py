@@ -217,7 +217,8 @@ def floor_mask(pieces: Sequence[Mask], paint: FloatArray | IntArray) -> Mask:
     Returns:
         (h, 320) 1 where the floor is.
     """
-    widened = [_dilated(piece) for piece in pieces]
+    kernel = np.ones((_BORDER_DILATION_PX,) * 2, np.uint8)
+    widened = [np.asarray(cv2.dilate(piece, kernel), dtype=np.uint8) for piece in pieces]
     worth = [
         piece.mean() * (paint[wide > 0].sum() + 1)
         for piece, wide in zip(pieces, widened, strict=True)
@@ -235,12 +236,6 @@ def floor_mask(pieces: Sequence[Mask], paint: FloatArray | IntArray) -> Mask:
         if floor.mean() <= _MIN_FLOOR_SHARE and is_field_region(pieces[i], floor, top):
             floor |= pieces[i]
     return fill_holes(floor)
-
-
-def _dilated(piece: Mask) -> Mask:
-    return np.asarray(
-        cv2.dilate(piece, np.ones((_BORDER_DILATION_PX,) * 2, np.uint8)), dtype=np.uint8
-    )
 
 
 def _separated_by_line(one: Mask, other: Mask, paint: FloatArray | IntArray) -> bool:
@@ -321,21 +316,19 @@ def detect_line_pixels(
     small = np.ascontiguousarray(small[:, :, :3])
     pieces = floor_regions(small) if floor else [field_mask(small)]
     if not pieces:
-        return _no_line_pixels((width, height))
+        none, ground = np.zeros(0), np.zeros((1, 1), dtype=np.uint8)
+        return LinePixels((width, height), np.zeros((2, 0)), none, none > 0, ground)
     beside = _search_mask(np.bitwise_or.reduce(pieces), small.shape)
     signs = [sign for sign, wanted in ((1, light), (-1, dark)) if wanted]
     # White paint is light in all colours, coloured paint dark in one of them.
     blue, green, red = cv2.split(small)
     grey = cv2.min(cv2.min(blue, green), red).astype(np.float32)
-    places, along = _linked_ridges(grey, beside, signs)
+    found = [_linked_ridges(grey, beside, signs)]
     if wide:
-        more = _wide_ridges(grey, beside, signs)
-        places = np.concatenate([places, more[0]], axis=1)
-        along = np.concatenate([along, more[1]])
+        found.append(_wide_ridges(grey, beside, signs))
     if floor and edges:
-        more = _linked_edges(small, pieces, beside)
-        places = np.concatenate([places, more[0]], axis=1)
-        along = np.concatenate([along, more[1]])
+        found.append(_linked_edges(small, pieces, beside))
+    places, along = (np.concatenate(one, axis=-1) for one in zip(*found, strict=True))
     ground = pieces[0]
     if floor:
         paint = _count_per_cell(places, ground.shape, small.shape)
@@ -371,9 +364,7 @@ def _wide_ridges(
     size = (grey.shape[1] // _WIDE_LINE_REDUCTION, grey.shape[0] // _WIDE_LINE_REDUCTION)
     small = np.asarray(cv2.resize(grey, size, interpolation=cv2.INTER_AREA), dtype=np.float32)
     there = cv2.resize(where.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
-    there[:_IMAGE_BORDER_PX] = there[-_IMAGE_BORDER_PX:] = False
-    there[:, :_IMAGE_BORDER_PX] = there[:, -_IMAGE_BORDER_PX:] = False
-    places, along = _linked_ridges(small, there, signs)
+    places, along = _linked_ridges(small, _without_border(there), signs)
     scale = np.array([[grey.shape[1] / size[0]], [grey.shape[0] / size[1]]])
     return (places + 0.5) * scale - 0.5, along
 
@@ -424,20 +415,19 @@ def _at(values: NDArray[Any], places: FloatArray) -> NDArray[Any]:
     return np.asarray(values[row.clip(0, len(values) - 1), column.clip(0, values.shape[1] - 1)])
 
 
-def _no_line_pixels(size: tuple[int, int]) -> LinePixels:
-    nothing = np.zeros(0)
-    ground = np.zeros((1, 1), dtype=np.uint8)
-    return LinePixels(size, np.zeros((2, 0)), nothing, nothing > 0, ground)
-
-
 def _search_mask(ground: NDArray[np.uint8], shape: tuple[int, ...]) -> BoolArray:
     """Return where paint is looked for: on the ground and at its rim, not at the picture's
     border."""
     wide = cv2.resize(ground, shape[1::-1], interpolation=cv2.INTER_NEAREST)
     beside = cv2.dilate(wide, np.ones((2 * _MASK_MARGIN_PX + 1,) * 2, np.uint8)) > 0
-    beside[:_IMAGE_BORDER_PX] = beside[-_IMAGE_BORDER_PX:] = False
-    beside[:, :_IMAGE_BORDER_PX] = beside[:, -_IMAGE_BORDER_PX:] = False
-    return np.asarray(beside)
+    return _without_border(beside)
+
+
+def _without_border(where: Any) -> BoolArray:
+    inside = np.zeros_like(where)
+    inner = slice(_IMAGE_BORDER_PX, -_IMAGE_BORDER_PX)
+    inside[inner, inner] = where[inner, inner]
+    return np.asarray(inside)
 
 
 def _count_per_cell(places: FloatArray, cells: tuple[int, ...], shape: tuple[int, ...]) -> IntArray:
@@ -522,15 +512,11 @@ def _ridge_curvature(
 
 def _ridge_contrast(grey: Values, places: FloatArray, across: FloatArray) -> FloatArray:
     """(n,) grey levels that places are lighter than the lighter of their sides."""
-
-    def at(off: int) -> FloatArray:
-        column, row = np.rint(places + off * across).astype(np.intp)
-        height, width = grey.shape
-        return np.asarray(grey[row.clip(0, height - 1), column.clip(0, width - 1)])
-
-    middle = at(0)
-    sides = [np.maximum(at(off), at(-off)) for off in _FLANK_DISTANCES_PX]
-    return np.asarray(middle - np.minimum(*sides))
+    sides = [
+        np.maximum(_at(grey, places + off * across), _at(grey, places - off * across))
+        for off in _FLANK_DISTANCES_PX
+    ]
+    return np.asarray(_at(grey, places) - np.minimum(*sides))
 
 
 def _is_continued(places: FloatArray, along: FloatArray, shape: tuple[int, ...]) -> BoolArray:

@@ -250,7 +250,8 @@ def _detected(source: FileSource, files: Sequence[str]) -> list[AnnotationFormat
 def _one_format(source: FileSource) -> AnnotationFormat:
     told = detect_formats(source)
     # What was taken in from a file of a whole set, frame by frame, stands for it from then on.
-    told = [known for known in told if known.name == PLAIN or not _formats_covering(known, told)]
+    if any(known.name == PLAIN for known in told):
+        told = [known for known in told if not known.one_file]
     if len(told) > 1:
         raise UsageError(
             f"{source.path}: holds annotations of several formats"
@@ -263,10 +264,6 @@ def _one_format(source: FileSource) -> AnnotationFormat:
         raise UsageError(f"nothing to do: no annotation in {source.path}")
     # All of them are damaged: the reader says how.
     return format_named("cvat" if _is_xml(files[0]) else "soccernet")
-
-
-def _formats_covering(known: AnnotationFormat, told: Sequence[AnnotationFormat]) -> bool:
-    return bool(known.one_file) and any(other.name == PLAIN for other in told)
 
 
 def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
@@ -334,14 +331,6 @@ def _is_xml(name: str) -> bool:
 Progress = Callable[[int, int], None]
 
 
-def _unknown_size(_: str) -> None:
-    return None
-
-
-def _name_in_file(frame: str) -> str:
-    return frame
-
-
 @dataclass
 class ReadSet:
     """Content that was read.
@@ -381,9 +370,9 @@ class SetReader:
         names: LabelMap | None = None,
         *,
         fmt: str = "auto",
-        size_of: Callable[[str], Size | None] = _unknown_size,
+        size_of: Callable[[str], Size | None] = lambda _: None,
         pictures: Sequence[str] = (),
-        called: Callable[[str], str] = _name_in_file,
+        called: Callable[[str], str] = lambda frame: frame,
     ) -> None:
         """Look what there is to read.
 

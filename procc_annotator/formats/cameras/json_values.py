@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Set
 from dataclasses import dataclass
 from typing import Any
 
@@ -252,6 +252,19 @@ class JsonValues:
         if not is_finite_number(value):
             raise self.error(f"expected a finite number, found {json_repr(value)}", key)
         return float(value)
+
+
+def lists_objects(content: object, keys: Set[str], under: str = "") -> bool:
+    """Return whether decoded content, or what is under a key of it, is a list with an object that
+    has some keys."""
+    if under:
+        content = content.get(under) if type(content) is dict else None
+    return type(content) is list and any(type(o) is dict and o.keys() >= keys for o in content)
+
+
+def maps_objects(content: object, keys: Set[str]) -> bool:
+    """Return whether decoded content is an object with an object in it that has some keys."""
+    return type(content) is dict and lists_objects([*content.values()], keys)
 
 
 def is_camera_key(key: str) -> bool:

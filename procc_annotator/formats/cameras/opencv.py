@@ -14,7 +14,12 @@ import numpy as np
 
 from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import CameraError
-from procc_annotator.formats.cameras.json_values import SIZE_KEYS, JsonValues, is_camera_key
+from procc_annotator.formats.cameras.json_values import (
+    SIZE_KEYS,
+    JsonValues,
+    is_camera_key,
+    maps_objects,
+)
 from procc_annotator.formats.cameras.krt import KRT_KEYS, camera_of_matrices, krt_content
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.strict_json import utf8_text
@@ -41,12 +46,8 @@ def read_opencv(data: bytes, *, path: str) -> LoadedCamera:
 
 
 def is_storage(content: object) -> bool:
-    """Return whether decoded JSON is a FileStorage's: one of its entries is a matrix as it writes
-    them."""
-    return type(content) is dict and any(
-        type(entry) is dict and {"rows", "cols", "data"} <= entry.keys()
-        for entry in content.values()
-    )
+    """Return whether decoded JSON is a FileStorage's: one of its entries is a matrix."""
+    return maps_objects(content, {"rows", "cols", "data"})
 
 
 def storage_numbers(

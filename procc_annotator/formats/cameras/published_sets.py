@@ -58,26 +58,10 @@ PANOPTIC = KrtKeys(
     # The dome's axes in ours: x stays, our y is against its z, our z (down) is its y.
     axes=np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]),
 )  # fmt: skip
-_PANOPTIC_KEYS = {"K", "R", "t", "distCoef", "resolution"}
 _TRANSFORMS = replace(KRT_KEYS, axes=HALF_TURN, kind="a transforms.json")
 # What the challenge's code writes where it found no camera.
 _NO_CAMERA = [1.0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1]
 _REMARK = "cameras of a basketball court, for frames called 0, 1, 2 ... by their order in the file"
-
-
-def is_panoptic(content: object) -> bool:
-    """Return whether decoded content is a calibration of the Panoptic Studio."""
-    cameras = content.get("cameras") if type(content) is dict else None
-    return type(cameras) is list and any(
-        type(entry) is dict and entry.keys() >= _PANOPTIC_KEYS for entry in cameras
-    )
-
-
-def is_deepsportradar(content: object) -> bool:
-    """Return whether decoded content is a list of K, R, T."""
-    return type(content) is list and any(
-        type(entry) is dict and {"K", "R", "T"} <= entry.keys() for entry in content
-    )
 
 
 def deepsportradar_records(content: object, path: str) -> CameraRecords:
@@ -174,12 +158,6 @@ _USED = (
     _POSE, "camera_model", "is_fisheye", "w", "h", "fl_x", "fl_y", "camera_angle_x",
     "camera_angle_y", "cx", "cy", *_TERMS,
 )  # fmt: skip
-
-
-def is_transforms(content: object) -> bool:
-    """Return whether decoded content is a transforms.json."""
-    frames = content.get("frames") if type(content) is dict else None
-    return type(frames) is list and any(type(f) is dict and _POSE in f for f in frames)
 
 
 def transforms_records(content: object, path: str) -> CameraRecords:

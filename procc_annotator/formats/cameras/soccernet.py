@@ -249,13 +249,6 @@ _POSITION = ("positionXMeters", "positionYMeters", "positionZMeters")
 _RADIAL = "normalizedRadialDistortionCoefficients"
 
 
-def is_broadtrack(content: object) -> bool:
-    """Return whether a decoded value is such a file: an object of objects with ``cp``."""
-    return type(content) is dict and any(
-        type(entry) is dict and "cp" in entry for entry in content.values()
-    )
-
-
 def broadtrack_records(content: object, path: str) -> CameraRecords:
     """The cameras of a decoded file.
 

@@ -9,6 +9,7 @@ import unicodedata
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -62,6 +63,11 @@ class SubmissionRemark:
         )
 
 
+_refused = partial(SubmissionRemark, REFUSED)
+_lowers = partial(SubmissionRemark, LOWERS)
+_ignored = partial(SubmissionRemark, IGNORED)
+
+
 def check_submission(
     path: Path, frames: Collection[str] | None = None, split: str = "test"
 ) -> list[SubmissionRemark]:
@@ -99,11 +105,11 @@ def check_submission(
             if frames is None or frame in frames:
                 camera, found = _check_camera(archive, name)
                 findings += found
-                if camera is not None and _folds(camera):
+                if camera is not None and folds_into_image(
+                    camera, soccernet_tables(), OFFICIAL_SIZE
+                ):
                     folded.append(printable(frame))
-        findings += [
-            SubmissionRemark(LOWERS, "", line) for line in fold_back_warnings(natsorted(folded))
-        ]
+        findings += [_lowers("", line) for line in fold_back_warnings(natsorted(folded))]
     return findings
 
 
@@ -115,24 +121,18 @@ def _is_camera(name: str, split: str) -> bool:
 def _names_findings(names: list[str], split: str, any_camera: bool) -> Iterator[SubmissionRemark]:
     for name, count in Counter(names).items():
         if count > 1 and _is_camera(name, split):
-            yield SubmissionRemark(
-                IGNORED, printable(name), f"is there {count} times, the last one counts"
-            )
+            yield _ignored(printable(name), f"is there {count} times, the last one counts")
     others = [n for n in dict.fromkeys(names) if not n.endswith("/") and not _is_camera(n, split)]
     if not any_camera:
         found = f"; there is, for example, {printable(others[0])}" if others else ""
         if others and others[0].startswith("./"):
             found += " (./ is not looked past: pack the files without it)"
-        yield SubmissionRemark(
-            REFUSED,
-            "",
-            f"holds no camera: expected files named {split}/camera_FRAME.json{found}",
+        yield _refused(
+            "", f"holds no camera: expected files named {split}/camera_FRAME.json{found}"
         )
     elif others:
-        yield SubmissionRemark(
-            IGNORED,
-            "",
-            f"{_listed(others)}: only files named {split}/camera_FRAME.json are looked at",
+        yield _ignored(
+            "", f"{_listed(others)}: only files named {split}/camera_FRAME.json are looked at"
         )
 
 
@@ -143,15 +143,14 @@ def _frames_remarks(
         return
     if missing := [frame for frame in natsorted(frames) if frame not in given]:
         share = 100 * (1 - len(missing) / len(frames))
-        yield SubmissionRemark(
-            LOWERS,
+        yield _lowers(
             "",
             f"{len(missing)} of {len(frames)} annotated frames {lacking} ({_names(missing)}):"
             f" completeness {share:.1f} %",
         )
     there = ByFrame.fromkeys(frames)
     if unknown := natsorted(frame for frame in given if frame not in there):
-        yield SubmissionRemark(IGNORED, "", f"{_listed(unknown)}: no such frame is annotated")
+        yield _ignored("", f"{_listed(unknown)}: no such frame is annotated")
 
 
 def _check_camera(
@@ -161,34 +160,28 @@ def _check_camera(
     try:
         content: Any = json.loads(archive.read(name).decode("utf-8"))
     except InputError as error:
-        return None, [SubmissionRemark(REFUSED, place, error.problem)]
+        return None, [_refused(place, error.problem)]
     except (ValueError, RecursionError) as error:
         problem = f"is not JSON in UTF-8: {printable(str(error), 120)}"
-        return None, [SubmissionRemark(REFUSED, place, problem)]
+        return None, [_refused(place, problem)]
     if type(content) is not dict:
-        return None, [
-            SubmissionRemark(REFUSED, place, "is not an object with the keys of a camera")
-        ]
+        return None, [_refused(place, "is not an object with the keys of a camera")]
     missing = [key for key in KEYS if key not in content]
     if missing:
         problem = f"lacks {', '.join(missing)}; every key is needed"
-        return None, [SubmissionRemark(REFUSED, place, problem)]
+        return None, [_refused(place, problem)]
     endless = [key for key in KEYS if _has_no_end(content[key])]
     if endless:
         problem = f"{endless[0]} is not finite: nothing is projected, JaC 0"
-        return None, [SubmissionRemark(LOWERS, place, problem)]
+        return None, [_lowers(place, problem)]
     try:
         loaded = camera_from(content, path=place)
     except CameraError as error:
         problem = f"{error.place}: {error.problem}".removeprefix(": ")
-        return None, [SubmissionRemark(REFUSED, place, problem)]
-    said = [SubmissionRemark(LOWERS, place, notice) for notice in loaded.notices]
+        return None, [_refused(place, problem)]
+    said = [_lowers(place, notice) for notice in loaded.notices]
     said += _size_findings(loaded.size, content["principal_point"], place)
     return loaded.camera, said
-
-
-def _folds(camera: CameraOrProjections) -> bool:
-    return folds_into_image(camera, soccernet_tables(), OFFICIAL_SIZE)
 
 
 def _size_findings(
@@ -196,15 +189,13 @@ def _size_findings(
 ) -> Iterator[SubmissionRemark]:
     width, height = OFFICIAL_SIZE
     if size is not None and size != OFFICIAL_SIZE:
-        yield SubmissionRemark(
-            LOWERS,
+        yield _lowers(
             place,
             f"is for pictures of {size[0]}x{size[1]}; the evaluation takes every camera for"
             f" {width}x{height} and scales none",
         )
     elif abs(centre[0] - width / 2) > _FAR * width or abs(centre[1] - height / 2) > _FAR * height:
-        yield SubmissionRemark(
-            LOWERS,
+        yield _lowers(
             place,
             f"principal point ({centre[0]:g}, {centre[1]:g}) far from the middle of"
             f" {width}x{height}: the evaluation scales no camera",
@@ -332,16 +323,16 @@ def check_polylines(
     try:
         manifest = read_manifest(path)
     except InputError as error:
-        return [SubmissionRemark(REFUSED, MANIFEST_FILE, error.problem)]
+        return [_refused(MANIFEST_FILE, error.problem)]
     found = [
-        SubmissionRemark(REFUSED, MANIFEST_FILE, problem)
+        _refused(MANIFEST_FILE, problem)
         for problem in _made_for_another(manifest, None, field_sha256, None, frames)
     ]
     with ZipSource(path) as archive:
         files = list_cameras(archive, POLYLINES)
         if not files:
             problem = "holds no polylines: expected files named FRAME.json"
-            found.append(SubmissionRemark(REFUSED, "", problem))
+            found.append(_refused("", problem))
         found += _frames_remarks(files, frames, "are missing")
         known = {*files.values(), MANIFEST_FILE, ""}
         others = [
@@ -350,7 +341,7 @@ def check_polylines(
             if not (n.removeprefix("./") in known or n.endswith(SIDECAR_SUFFIX))
         ]
         if others:
-            found.append(SubmissionRemark(IGNORED, "", f"{_listed(others)} of no frame"))
+            found.append(_ignored("", f"{_listed(others)} of no frame"))
         for name in files.values():
             found += _file_remarks(archive, name, field)
     return found
@@ -381,10 +372,10 @@ def _file_remarks(archive: ZipSource, name: str, field: Field) -> Iterator[Submi
         loaded = read_camera_file(archive.read(name), path=place, fmt=POLYLINES)
     except InputError as error:
         where = f"{error.place}: " if error.place else ""
-        yield SubmissionRemark(LOWERS, place, f"{where}{error.problem}: counts as missing")
+        yield _lowers(place, f"{where}{error.problem}: counts as missing")
         return
     pieces: Mapping[str, object] = getattr(loaded.camera, "pieces", {})
     strange = [n for n in pieces if field.canonical_name(n) not in field.index]
     if strange:
         what = f"no element of the field: {_names(strange)}"
-        yield SubmissionRemark(IGNORED, place, what)
+        yield _ignored(place, what)

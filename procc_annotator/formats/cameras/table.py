@@ -11,6 +11,7 @@ from procc_annotator.formats.cameras import soccernet
 from procc_annotator.formats.cameras import tracking_systems as systems
 from procc_annotator.formats.cameras.content import ARRAY_SUFFIXES, TABLE_SUFFIXES, TOML_SUFFIX
 from procc_annotator.formats.cameras.homography import CONVENTIONS, read_homography
+from procc_annotator.formats.cameras.json_values import lists_objects, maps_objects
 from procc_annotator.formats.cameras.krt import (
     KRT_KEYS,
     KrtKeys,
@@ -110,18 +111,19 @@ ROWS: tuple[CameraFormat, ...] = (
     STORAGE,
     _row(
         "broadtrack", "BroadTrack JSON", "PICTURE.cp", _OURS, '{PICTURE: {"cp": camera}}',
-        soccernet.is_broadtrack, None, soccernet.broadtrack_records,
+        partial(maps_objects, keys={"cp"}), None, soccernet.broadtrack_records,
     ),
     _row(
         "deepsportradar", "DeepSportRadar K, R, T list", "[].K, [].T",
         "cm, z down, origin at the far left corner of a FIBA court; moved to the centre",
-        "[size, {K, R, T, kc}, ...]: frames 0, 1, 2, ...", sets.is_deepsportradar, None,
-        sets.deepsportradar_records,
+        "[size, {K, R, T, kc}, ...]: frames 0, 1, 2, ...",
+        partial(lists_objects, keys={"K", "R", "T"}), None, sets.deepsportradar_records,
     ),
     _row(
         "synloc", "SoccerNet SynLoc (Spiideo)", "images[].camera_matrix",
         "metres, z up, x across the field, y along it; turned", "val.json of COCO",
-        systems.is_synloc, None, systems.synloc_records,
+        partial(lists_objects, keys={"camera_matrix"}, under="images"), None,
+        systems.synloc_records,
     ),
     _row(
         "opentrackio", "OpenTrackIO 1.0", "transforms, lens", _UP,
@@ -140,7 +142,10 @@ ROWS: tuple[CameraFormat, ...] = (
     ),
     _parts(
         "panoptic", "Panoptic Studio", "cameras[].distCoef", "cm, y down, floor at y = 0; turned",
-        "calibration_SCENE.json", sets.PANOPTIC, sets.is_panoptic,
+        "calibration_SCENE.json", sets.PANOPTIC,
+        partial(
+            lists_objects, keys={"K", "R", "t", "distCoef", "resolution"}, under="cameras"
+        ),
     ),
     _parts(
         "vggt", "VGGT, MegaSaM", "intrinsic, extrinsic[] or cam_c2w[]",
@@ -166,7 +171,8 @@ ROWS: tuple[CameraFormat, ...] = (
     ),
     _row(
         "transforms", "transforms.json of radiance fields", "frames[].transform_matrix",
-        f"camera -> world, axes of OpenGL; {_UP}", "transforms.json", sets.is_transforms, None,
+        f"camera -> world, axes of OpenGL; {_UP}", "transforms.json",
+        partial(lists_objects, keys={"transform_matrix"}, under="frames"), None,
         sets.transforms_records,
     ),
     _row(

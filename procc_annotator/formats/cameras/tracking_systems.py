@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.formats.cameras.json_values import JsonValues, degrees
+from procc_annotator.formats.cameras.json_values import JsonValues, degrees, lists_objects
 from procc_annotator.formats.cameras.krt import HALF_TURN, KRT_KEYS, KrtKeys, centred_k, krt_from
 from procc_annotator.formats.cameras.krt_sets import BY_ORDER, depth_of
 from procc_annotator.formats.cameras.lens_curves import distortion_of_inverse, fisheye_of_polynomial
@@ -35,19 +35,13 @@ _ACROSS = KrtKeys(
 _MATRIX, _POLY = "camera_matrix", "dist_poly"
 
 
-def is_synloc(content: object) -> bool:
-    """Return whether decoded content is a SynLoc file: COCO whose images have cameras."""
-    images = content.get("images") if type(content) is dict else None
-    return type(images) is list and any(type(i) is dict and _MATRIX in i for i in images)
-
-
 def synloc_records(content: Any, path: str) -> CameraRecords:
     """The cameras of the images of a decoded file.
 
     Raises:
         CameraError: none has one.
     """
-    images = content["images"] if is_synloc(content) else []
+    images = content["images"] if lists_objects(content, {_MATRIX}, "images") else []
     own = [(str(e.get("file_name", i)), CameraRecord(f"images[{i}]", e))
            for i, e in enumerate(images) if type(e) is dict and _MATRIX in e]  # fmt: skip
     left = len(images) - len(own)
@@ -102,7 +96,7 @@ _LENS_USED = (
 def is_opentrackio(content: Any) -> bool:
     """Return whether decoded content is a sample of OpenTrackIO, or a list of them."""
     entries = content if type(content) is list else [content]
-    return any(type(e) is dict and {"transforms", "lens"} <= e.keys() for e in entries)
+    return lists_objects(entries, {"transforms", "lens"})
 
 
 def opentrackio_records(content: Any, path: str) -> CameraRecords | None:

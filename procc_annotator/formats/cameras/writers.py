@@ -94,16 +94,18 @@ def _submission(loaded: LoadedCamera) -> tuple[bytes, Losses]:
     camera = _pinhole(loaded.camera, "the official evaluation")
     losses = _extra(loaded)
     if loaded.size is None:
-        losses = (*losses, f"names no picture size: taken for pixels of {_spelled(OFFICIAL_SIZE)}")
+        width, height = OFFICIAL_SIZE
+        losses = (*losses, f"names no picture size: taken for pixels of {width}x{height}")
     return write_camera(camera, _fit(loaded)), losses
 
 
-def _krt(loaded: LoadedCamera) -> tuple[bytes, Losses]:
-    return write_krt(_with_pose(loaded.camera, "K, R and t"), loaded.size), _extra(loaded)
+def _of_pose(write: Callable[..., bytes]) -> Callable[[LoadedCamera], tuple[bytes, Losses]]:
+    def encode(loaded: LoadedCamera) -> tuple[bytes, Losses]:
+        if not isinstance(loaded.camera, PinholeCamera | FisheyeCamera):
+            raise ValueError(f"K, R and t cannot hold {_called(loaded.camera)}")
+        return write(loaded.camera, loaded.size), _extra(loaded)
 
-
-def _opencv(loaded: LoadedCamera) -> tuple[bytes, Losses]:
-    return write_opencv(_with_pose(loaded.camera, "K, R and t"), loaded.size), _extra(loaded)
+    return encode
 
 
 def _homography(convention: str, as_text: bool) -> Callable[[LoadedCamera], tuple[bytes, Losses]]:
@@ -146,8 +148,8 @@ def _homography(convention: str, as_text: bool) -> Callable[[LoadedCamera], tupl
 
 WRITERS: tuple[CameraWriter, ...] = (
     CameraWriter("soccernet", "SoccerNet camera JSON", "camera_{}.json", _soccernet, None, True),
-    CameraWriter("opencv", "OpenCV FileStorage, YAML", "{}.yml", _opencv),
-    CameraWriter("krt", "K, R, t and distortion, JSON", "{}.json", _krt),
+    CameraWriter("opencv", "OpenCV FileStorage, YAML", "{}.yml", _of_pose(write_opencv)),
+    CameraWriter("krt", "K, R, t and distortion, JSON", "{}.json", _of_pose(write_krt)),
     *(
         CameraWriter(
             name,
@@ -306,12 +308,6 @@ def _pinhole(camera: CameraOrProjections, what: str) -> PinholeCamera:
     return camera
 
 
-def _with_pose(camera: CameraOrProjections, what: str) -> PinholeCamera | FisheyeCamera:
-    if not isinstance(camera, PinholeCamera | FisheyeCamera):
-        raise ValueError(f"{what} cannot hold {_called(camera)}")
-    return camera
-
-
 def _called(camera: CameraOrProjections) -> str:
     names = {
         "PinholeCamera": "a pinhole camera",
@@ -335,10 +331,6 @@ def _fit(loaded: LoadedCamera) -> dict[str, Any]:
 def _extra(loaded: LoadedCamera) -> Losses:
     left_out = sorted(key for key in loaded.extra if key not in (*_SIZE_KEYS, FIT_KEY))
     return (f"keys left out: {', '.join(map(printable, left_out[:5]))}",) if left_out else ()
-
-
-def _spelled(size: Size) -> str:
-    return f"{size[0]}x{size[1]}"
 
 
 def _entry(name: str) -> zipfile.ZipInfo:
