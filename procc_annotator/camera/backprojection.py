@@ -83,13 +83,11 @@ def _undistort(camera: PinholeCamera, x: Values, y: Values, out: FloatArray) -> 
     for start in range(0, len(x), _BLOCK_PIXELS):
         part = slice(start, start + _BLOCK_PIXELS)
         inner = table.inverse(radius[part], polished=lens.only_radial)
-        if lens.only_radial:
-            ratio = inner / np.where(radius[part] > 0, radius[part], 1.0)
-            out[0, part], out[1, part] = x[part] * ratio, y[part] * ratio
-        else:
-            ratio = inner / np.where(radius[part] > 0, radius[part], 1.0)
-            guess = x[part] * ratio, y[part] * ratio
-            out[0, part], out[1, part] = lens.newton(x[part], y[part], *guess, table.limit)
+        ratio = inner / np.where(radius[part] > 0, radius[part], 1.0)
+        found = x[part] * ratio, y[part] * ratio
+        if not lens.only_radial:
+            found = lens.newton(x[part], y[part], *found, table.limit)
+        out[0, part], out[1, part] = found
 
 
 def _bracket_radius(lens: _DistortionModel, radius: float) -> float:
@@ -317,10 +315,8 @@ def places_by_newton(
         tried_px, tried_slopes = projection_jacobian(camera, tried)
         left = tried_px - points_px[rows]
         better = np.hypot(left[:, 0], left[:, 1]) < error  # False for NaN
-        places, px = (
-            np.where(better[:, None], tried, places),
-            np.where(better[:, None], tried_px, px),
-        )
+        places = np.where(better[:, None], tried, places)
+        px = np.where(better[:, None], tried_px, px)
         slopes = np.where(better[:, None, None], tried_slopes, slopes)
         share = np.where(better, np.minimum(2 * share, 1.0), share / 4)
     return found

@@ -143,14 +143,12 @@ def pictures_in(folder: Path) -> list[str]:
             ]
     except OSError as error:
         raise InputError(folder, f"cannot be listed: {error.strerror or error}") from error
-    if len({(len(name), suffix_of(name)) for name in names}) < 2 and _only_numbers(names):
+    stems = [os.path.splitext(name)[0] for name in names]
+    numbered = all(stem.isascii() and stem.isdigit() for stem in stems)
+    if numbered and len({(len(name), suffix_of(name)) for name in names}) < 2:
         return sorted(names)  # numbers of one length, as most are: the same order, at once
     natural = natsort_keygen()
     return sorted(names, key=lambda name: tuple(natural(p) for p in os.path.splitext(name)))
-
-
-def _only_numbers(names: Iterable[str]) -> bool:
-    return all(name.isascii() and os.path.splitext(name)[0].isdigit() for name in names)
 
 
 def _is_file(entry: os.DirEntry[str]) -> bool:
@@ -234,16 +232,16 @@ def folder_of_dataset(place: Path) -> Path | None:
             return frames_folder(place)
         place = place.parent
     whole = place.resolve()
-    if whole.name == ANNOTATIONS_FOLDER and not _has_own_files(place):
+    if whole.name == ANNOTATIONS_FOLDER and not (
+        _has_own_files(place) or ((place / WORKSPACE_FOLDER).is_dir() and pictures_in(place))
+    ):
         return whole.parent
     of_videos = annotated_videos(place)
     return of_videos[0] if len(of_videos) == 1 else place
 
 
 def _has_own_files(folder: Path) -> bool:
-    if any((folder / name).is_file() for name in OWN_FILES_AND_FOLDERS):
-        return True
-    return (folder / WORKSPACE_FOLDER).is_dir() and bool(pictures_in(folder))
+    return any((folder / name).is_file() for name in OWN_FILES_AND_FOLDERS)
 
 
 def annotations_of(dataset: Path) -> Path:
@@ -371,8 +369,7 @@ def _may_be_json_object(source: FileSource, file: str) -> bool:
 def is_known_dataset(folder: Path) -> bool:
     """Return whether a folder was worked on as a dataset, so that it may be looked through
     unasked."""
-    own = any((folder / name).is_file() for name in OWN_FILES_AND_FOLDERS)
-    return own or (folder / WORKSPACE_FOLDER).is_dir()
+    return _has_own_files(folder) or (folder / WORKSPACE_FOLDER).is_dir()
 
 
 def holds_annotations(folder: Path, *, deeper: bool = True) -> bool:

@@ -199,13 +199,12 @@ def snap_points_to_lines(
     Returns:
         (N, 2) picture px; NaN where there is no convincing paint.
     """
-    found = np.full((len(points), 2), np.nan)
-    for i, (x, y) in enumerate(points.tolist()):
-        along = None if directions is None else (float(directions[i, 0]), float(directions[i, 1]))
-        placed = snap_to_line(picture, (x, y), sought, direction=along, reach_px=reach_px)
-        if placed is not None:
-            found[i] = placed
-    return found
+    ways = [None] * len(points) if directions is None else map(tuple, directions.tolist())
+    found = [
+        snap_to_line(picture, (x, y), sought, direction=way, reach_px=reach_px)
+        for (x, y), way in zip(points.tolist(), ways, strict=True)
+    ]
+    return np.array([place or (np.nan, np.nan) for place in found]).reshape(-1, 2)
 
 
 def _patch_around(picture: PixelArray, point: tuple[float, float], reach_px: float) -> ImagePatch:

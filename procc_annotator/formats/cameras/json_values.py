@@ -124,7 +124,7 @@ class JsonValues:
         """
         if key not in self.content:
             raise self.missing("a number", key)
-        return self._finite(self.bare(self.content[key]), key)
+        return self.finite(self.bare(self.content[key]), key)
 
     def focal(self, key: str) -> float:
         """A number of pixels that is not zero.
@@ -149,7 +149,7 @@ class JsonValues:
         if type(value) is not list or len(value) != length:
             found = f"{len(value)} values" if type(value) is list else json_repr(value)
             raise self.error(f"expected {length} numbers, found {found}", key, advice)
-        return tuple([self._finite(number, f"{key}[{i}]") for i, number in enumerate(value)])
+        return tuple([self.finite(number, f"{key}[{i}]") for i, number in enumerate(value)])
 
     def numbers(self, key: str) -> tuple[float, ...]:
         """All finite numbers of a list, or of a list of lists, row by row.
@@ -163,9 +163,9 @@ class JsonValues:
         flat: list[float] = []
         for i, part in enumerate(value):
             if type(part) is list:
-                flat += [self._finite(v, f"{key}[{i}][{j}]") for j, v in enumerate(part)]
+                flat += [self.finite(v, f"{key}[{i}][{j}]") for j, v in enumerate(part)]
             else:
-                flat.append(self._finite(part, f"{key}[{i}]"))
+                flat.append(self.finite(part, f"{key}[{i}]"))
         return tuple(flat)
 
     def matrix(self, key: str, rows: int, columns: int) -> FloatArray:
@@ -248,7 +248,8 @@ class JsonValues:
             value = value[0]
         return value
 
-    def _finite(self, value: object, key: str) -> float:
+    def finite(self, value: object, key: str) -> float:
+        """A value that is a finite number; the error names the key."""
         if not is_finite_number(value):
             raise self.error(f"expected a finite number, found {json_repr(value)}", key)
         return float(value)

@@ -313,7 +313,9 @@ def is_projection(content: object) -> bool:
     it."""
     if type(content) is dict:
         found = [content[key] for key in PROJECTION_KEYS if key in content]
-        return "K" not in content and any(_is_3x4(value) or _are_twelve(value) for value in found)
+        return "K" not in content and any(
+            _is_3x4(value) or _are_numbers(value, 12) for value in found
+        )
     return _is_3x4(content)
 
 
@@ -360,18 +362,13 @@ def camera_of_projection(
     return LoadedCamera(camera, "pinhole", size, notices=(*inside.notices, *pose.notices))
 
 
-def _are_twelve(content: object) -> bool:
+def _are_numbers(content: object, count: int) -> bool:
     return (
         type(content) is list
-        and len(content) == 12
+        and len(content) == count
         and not any(type(number) in (list, dict, str) for number in content)
     )
 
 
 def _is_3x4(content: object) -> bool:
-    return (
-        type(content) is list
-        and len(content) == 3
-        and all(type(row) is list and len(row) == 4 for row in content)
-        and not any(type(number) in (list, dict, str) for row in content for number in row)
-    )
+    return type(content) is list and len(content) == 3 and all(_are_numbers(r, 4) for r in content)

@@ -130,6 +130,15 @@ def _lists(values: JsonValues, key: str) -> list[tuple[str, list[Any]]]:
     return list(found.items())
 
 
+def _pieces(values: JsonValues, name: str) -> tuple[FloatArray, ...]:
+    value, shown = values.content[name], printable(name)
+    if type(value) is not list:
+        raise values.error(f"expected a list of points, found {json_kind(value)}", shown)
+    if value and all(type(part) is list for part in value):
+        return tuple(_points(values, part, f"{shown}[{i}]") for i, part in enumerate(value))
+    return (_points(values, value, shown),) if value else ()
+
+
 def _pairs(values: JsonValues, given: Any, name: str, *, gaps: bool = False) -> FloatArray:
     """(n, 2) px of a list of [x, y]; with gaps, NaN for null."""
     points = np.full((len(given) if type(given) is list else 0, 2), np.nan)
@@ -143,33 +152,14 @@ def _pairs(values: JsonValues, given: Any, name: str, *, gaps: bool = False) -> 
     return points
 
 
-def _pieces(values: JsonValues, name: str) -> tuple[FloatArray, ...]:
-    value = values.content[name]
-    if type(value) is not list:
-        raise values.error(f"expected a list of points, found {json_kind(value)}", printable(name))
-    if value and all(type(part) is list for part in value):
-        return tuple(
-            _points(values, part, f"{printable(name)}[{i}]") for i, part in enumerate(value)
-        )
-    return (_points(values, value, printable(name)),) if value else ()
-
-
 def _points(values: JsonValues, value: list[Any], place: str) -> FloatArray:
     points = np.empty((len(value), 2))
     for i, point in enumerate(value):
+        at = f"{place}[{i}]"
         if type(point) is not dict or not {"x", "y"} <= point.keys():
-            raise values.error(
-                f'expected a point {{"x": ..., "y": ...}}, found {json_repr(point)}',
-                f"{place}[{i}]",
-            )
-        for axis, key in enumerate(("x", "y")):
-            number = point[key]
-            if not is_finite_number(number):
-                raise values.error(
-                    f"expected a finite number, found {json_repr(number)}",
-                    f"{place}[{i}].{key}",
-                )
-            points[i, axis] = number
+            found = json_repr(point)
+            raise values.error(f'expected a point {{"x": ..., "y": ...}}, found {found}', at)
+        points[i] = [values.finite(point[axis], f"{at}.{axis}") for axis in ("x", "y")]
     return points
 
 

@@ -127,13 +127,14 @@ def _detected(content: object, path: str) -> CameraFormat:
     if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
         return SOCCERNET
     values = list(content.values()) if type(content) is dict else []
+    told = [(row, row.recognises) for row in ROWS if row.recognises is not None]
     if looks_like_points(content) or (
-        values and any(looks_like_points(v) for v in values) and not any(map(_is_camera, values))
+        any(map(looks_like_points, values))
+        and not any(is_of(value) for value in values for _, is_of in told)
     ):
         raise PointsError(path, "holds points of classes, not a camera", advice=_ANNOTATION_ADVICE)
     if type(content) is list and any(map(is_tvcalib, content)):
         return TVCALIB
-    told = [(row, row.recognises) for row in ROWS if row.recognises is not None]
     whole = (row for row, is_of in told[1:] if is_of(content))
     entries = list(map(flat_entry, values))
     parts = (row for row, is_of in told if row.one is not None and any(map(is_of, entries)))
@@ -166,10 +167,6 @@ def _unknown(content: object, path: str) -> CameraError:
         f"holds no camera of a known format: found {found}, expected {formats}",
         advice="is this a camera? if so, choose its camera format",
     )
-
-
-def _is_camera(content: object) -> bool:
-    return any(known.recognises is not None and known.recognises(content) for known in ROWS)
 
 
 def _is_lines(data: bytes) -> bool:
