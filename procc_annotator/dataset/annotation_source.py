@@ -33,6 +33,7 @@ from procc_annotator.formats.file_source import (
     FileSource,
     FolderSource,
     OpenedSource,
+    from_base,
     open_source,
     read_optional,
 )
@@ -61,7 +62,7 @@ def open_annotations(
         InputError: what is there cannot be opened or listed, or none of it can be read; or the
             dataset's own ``labels.toml`` cannot be used.
     """
-    place = path if base is None else base / path
+    place = from_base(base, path)
     with ExitStack() as opened:
         source = opened.enter_context(open_files(path, base))
         names = names or own_label_map(place, field)
@@ -86,7 +87,7 @@ def open_files(path: Path, base: Path | None = None) -> FileSource:
     source = open_source(path, base)
     if isinstance(source, FolderSource):
         folder, slash, _ = next(iter(source.files()), "").rpartition("/")
-        root = folder_of_dataset(path if base is None else base / path) if slash else None
+        root = folder_of_dataset(from_base(base, path)) if slash else None
         source.of_tree = root is not None and find_pictures(root).has(folder + slash)
     return source
 

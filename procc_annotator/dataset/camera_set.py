@@ -19,6 +19,7 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.loaded_camera import fit_to_size
+from procc_annotator.formats.file_source import from_base
 
 _KEPT = 64
 _COARSEST_NS = 2_000_000_000  # between two times that a file system tells apart
@@ -116,7 +117,7 @@ class CameraSet:
             InputError: two files for one frame, or an archive that cannot be opened.
         """
         # Before the look: what is written meanwhile is found by the next.
-        place, begun = _from(base, path), time.time_ns()
+        place, begun = from_base(base, path), time.time_ns()
         stamps = FileStamps[str]()
         stamps.note("", place)
 
@@ -224,7 +225,7 @@ class CameraSet:
         return f"{self.name} has no camera for {frame_name}"
 
     def _file(self, name: str) -> Path:
-        path = _from(self._base, self.path)
+        path = from_base(self._base, self.path)
         return path / name if name and self._is_folder else path
 
     def _read(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame:
@@ -236,10 +237,6 @@ class CameraSet:
         model = model_name(camera, loaded.model, size)
         said = "; ".join(remarks) or None
         return CameraForFrame(camera, model, said, loaded.fitted_on, loaded.assumed_field)
-
-
-def _from(base: Path | None, path: Path) -> Path:
-    return path if base is None else base / path
 
 
 def _unless_since(begun: int, stamp: Stamp) -> Stamp:

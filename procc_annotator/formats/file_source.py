@@ -197,9 +197,9 @@ def open_source(path: Path, base: Path | None = None, of_tree: bool = False) -> 
             holds a name that leads out of it.
     """
     try:
-        if stat.S_ISDIR(os.stat(_from(base, path)).st_mode):
+        if stat.S_ISDIR(os.stat(from_base(base, path)).st_mode):
             return FolderSource(path, base, of_tree)
-        open_regular(_from(base, path)).close()
+        open_regular(from_base(base, path)).close()
     except (FileNotFoundError, NotADirectoryError, ValueError) as error:
         raise UsageError(f"{path}: no such file or folder") from error
     except OSError as error:
@@ -209,7 +209,8 @@ def open_source(path: Path, base: Path | None = None, of_tree: bool = False) -> 
     return SingleFileSource(path, base)
 
 
-def _from(base: Path | None, path: Path) -> Path:
+def from_base(base: Path | None, path: Path) -> Path:
+    """A path that starts from a folder, where one is given."""
     return path if base is None else base / path
 
 
@@ -250,7 +251,7 @@ class FolderSource(OpenedSource):
         self.path = path
         self.of_tree = of_tree
         self._folder = str(path)
-        self._place = str(_from(base, path))
+        self._place = str(from_base(base, path))
 
     def files(self) -> list[str]:
         names, folders = entries(Path(self._place))
@@ -284,7 +285,7 @@ class SingleFileSource(OpenedSource):
 
     def __init__(self, path: Path, base: Path | None = None) -> None:
         self.path = path
-        self._place = _from(base, path)
+        self._place = from_base(base, path)
 
     def files(self) -> list[str]:
         return [self.path.name]
@@ -309,7 +310,7 @@ class ZipSource(OpenedSource):
     def __init__(self, path: Path, base: Path | None = None) -> None:
         self.path = path
         try:
-            self._archive = zipfile.ZipFile(_from(base, path))
+            self._archive = zipfile.ZipFile(from_base(base, path))
         except _ZIP_ERRORS as error:
             raise InputError(
                 path,

@@ -12,7 +12,7 @@ import pytest
 
 from procc_annotator.cli.convert import CAMERA_TARGETS
 from procc_annotator.field.load import load_field
-from procc_annotator.formats.cameras.soccernet import read_camera
+from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.formats.cameras.writers import CAMERA_TARGETS as WRITTEN
 from procc_annotator.metrics.projection import project_field
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -355,7 +355,7 @@ def test_lines_that_the_official_evaluation_folds_into_the_picture_are_told(cli,
 def test_a_fold_is_told_where_the_official_protocol_shows_more_than_the_other(wide):
     for name, more in (("a", set()), ("b", {"Big rect. left bottom", "Big rect. right bottom"})):
         path = wide / f"camera_{name}.json"
-        camera = read_camera(path.read_bytes(), path=str(path)).camera
+        camera = read_camera_file(path.read_bytes(), path=str(path)).camera
         shown = [
             set(project_field(camera, EvaluationSetup(load_field(), (960, 540), protocol)).pieces)
             for protocol in ("soccernet", "procc")

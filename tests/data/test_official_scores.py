@@ -13,7 +13,7 @@ from procc_annotator.camera.base import Camera
 from procc_annotator.errors import CameraError
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
-from procc_annotator.formats.cameras.soccernet import read_camera
+from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import jac_curve, score
 from procc_annotator.metrics.sets import SetAccumulator
@@ -48,7 +48,7 @@ class RealSet:
 
     def _camera(self, path: Path) -> Camera | None:
         try:
-            return read_camera(path.read_bytes(), path=str(path)).camera
+            return read_camera_file(path.read_bytes(), path=str(path)).camera
         except (FileNotFoundError, CameraError):
             return None
 

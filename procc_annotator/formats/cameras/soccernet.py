@@ -39,25 +39,19 @@ _BESIDE = ("rotation_matrix", "fit")
 SOCCERNET_KIND = "a SoccerNet camera"
 
 
-def read_camera(data: bytes, *, path: str) -> LoadedCamera:
-    """Read a SoccerNet camera.
+def camera_from(content: object, path: str, inside: str = "", nested: bool = False) -> LoadedCamera:
+    """Read a decoded SoccerNet camera.
 
     Absent distortion lists are zeros; lists of the wrong length are an error. ``image_width`` and
     ``image_height`` (or ``width``, ``height``), where present, give the picture size the pixels
     belong to. Other keys are kept in ``extra``.
 
+    Args:
+        path: for messages. inside: where in the file it stands.
+        nested: whether values may stand in lists of one.
+
     Raises:
         CameraError: names the place (``radial_distortion[2]``) and what was expected.
-    """
-    return camera_from(decode_fast(data, path=path, error=CameraError), path=path)
-
-
-def camera_from(content: object, path: str, inside: str = "", nested: bool = False) -> LoadedCamera:
-    """As `read_camera`, from what was decoded.
-
-    Args:
-        inside: where in the file it stands.
-        nested: whether values may stand in lists of one.
     """
     values = JsonValues.of(content, path, inside, SOCCERNET_KIND, nested)
     pan, tilt, roll = degrees(values, _ANGLES)

@@ -23,7 +23,7 @@ from procc_annotator.assist.frame_analysis import FrameAnalysis, analyse_frame
 from procc_annotator.batch.calibration import save_fit
 from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.dataset.editing import delete_point
-from procc_annotator.formats.cameras.soccernet import read_camera
+from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.gui.commands.exporting import Exporter
 from procc_annotator.gui.commands.triage import Triage
 from procc_annotator.gui.main_window import MainWindow
@@ -93,8 +93,8 @@ def slow_fits(monkeypatch) -> Callable[[], threading.Event]:
 
 def test_it_is_the_camera_of_the_clicks(services, annotated):
     fit = services.live_fit.result
-    true = read_camera((annotated / "cameras" / "true" / "camera_00002.json").read_bytes(),
-                       path="")  # fmt: skip
+    path = annotated / "cameras" / "true" / "camera_00002.json"
+    true = read_camera_file(path.read_bytes(), path=str(path))
     assert fit.size == services.state.picture_size
     assert np.hypot(*np.subtract(fit.camera.position_world, true.camera.position_world)[:2]) < 8
 
@@ -351,7 +351,7 @@ def save(services: Services, qtbot: QtBot) -> str:
 def test_the_file_holds_the_camera_and_what_it_was_fitted_from(services, annotated, qtbot):
     path = annotated / "cameras" / "fitted" / "camera_00002.json"
     assert str(path) in save(services, qtbot)
-    loaded = read_camera(path.read_bytes(), path="")
+    loaded = read_camera_file(path.read_bytes(), path=str(path))
     fit = services.live_fit.result
     assert loaded.camera.position_world == fit.camera.position_world
     assert loaded.camera.tilt_rad == pytest.approx(fit.camera.tilt_rad, rel=1e-14)
