@@ -120,8 +120,6 @@ def _put_document(
 
 def _spellable(frame: ExchangedFrame, writing: WriteContext) -> tuple[Polyline, ...]:
     """The polylines of a frame that the files can hold; what is lost is noted."""
-    writing.lose_point_keys(frame, _TITLE)
-    writing.lose_extra(frame, _TITLE)
     polylines = tuple(
         p for p in writing.without_empty(frame, _TITLE) if is_xml_spellable(p, frame, writing)
     )

@@ -14,11 +14,10 @@ from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any, Literal
 
-from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap, Rule, Shape
-from procc_annotator.formats.annotations.soccernet import MAX_COORDINATE
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import (
     PICTURE_SUFFIX,
@@ -366,13 +365,14 @@ class WriteContext:
         if any(q.extra for p in frame.annotation.polylines for q in p.points):
             self.remarks.add(f"{title} has no place for further keys of points", frame.name)
 
-    def lose_extra(self, frame: ExchangedFrame, title: str) -> None:
-        """Note further entries of the annotation file that the format has no place for."""
-        if frame.annotation.extra:
+    def without_empty(
+        self, frame: ExchangedFrame, title: str, *, keeps_extra: bool = False
+    ) -> tuple[Polyline, ...]:
+        """The polylines that have points; noted as lost are the others, further keys of points, and
+        further entries of the annotation file unless the format keeps these."""
+        self.lose_point_keys(frame, title)
+        if frame.annotation.extra and not keeps_extra:
             self.remarks.add(f"{title} has no place for further entries of a frame", frame.name)
-
-    def without_empty(self, frame: ExchangedFrame, title: str) -> tuple[Polyline, ...]:
-        """The polylines that have points; the others are noted as lost."""
         kept = tuple(p for p in frame.annotation.polylines if p.points)
         if len(kept) < len(frame.annotation.polylines):
             self.remarks.add(f"{title} has no place for classes without a point", frame.name)
@@ -396,28 +396,6 @@ def size_from_file(width: Any, height: Any, path: str, place: str) -> Size | Non
                 advice="correct the size",
             )
     return int(width), int(height)
-
-
-def point_of(x: Any, y: Any, size: Size, path: str, place: str) -> Point:
-    """The point of a pixel position in a file.
-
-    Raises:
-        AnnotationError: no finite numbers, or absurdly far from the picture.
-    """
-    values = []
-    for axis, value, extent in (("x", x, size[0] - 1), ("y", y, size[1] - 1)):
-        # A float with more digits than usual is a float all the same.
-        plain = float(value) if isinstance(value, float) else value
-        if not is_finite_number(plain) or abs(plain) > MAX_COORDINATE * extent:
-            raise AnnotationError(
-                path,
-                f"expected {axis} in px of a picture of {size[0]}x{size[1]},"
-                f" found {json_repr(value)}",
-                place=place,
-                advice="correct or remove the point",
-            )
-        values.append(normalised(value, extent))
-    return Point(values[0], values[1])
 
 
 def require_objects(content: Any, keys: Sequence[str], path: str, kind: str) -> dict[str, Any]:

@@ -87,8 +87,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
         size = writing.named_size(frame)
         if size is None:
             continue
-        writing.lose_point_keys(frame, _TITLE)
-        polylines = writing.without_empty(frame, _TITLE)
+        polylines = writing.without_empty(frame, _TITLE, keeps_extra=True)
         shapes: list[dict[str, Any]] = [
             {
                 "label": label,

@@ -18,9 +18,9 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline
 from procc_annotator.arrays import FloatArray
 from procc_annotator.errors import AnnotationError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.annotations.exchange import ReadContext, Size, point_of
-from procc_annotator.formats.annotations.soccernet import CAMERA_KEY, may_be_points
-from procc_annotator.formats.strict_json import json_kind, printable
+from procc_annotator.formats.annotations.exchange import ReadContext, Size, normalised
+from procc_annotator.formats.annotations.soccernet import CAMERA_KEY, MAX_COORDINATE, may_be_points
+from procc_annotator.formats.strict_json import is_finite_number, json_kind, json_repr, printable
 
 # Ends this near each other, in widths or heights of the picture, are one place clicked twice.
 _TOUCH = 0.002
@@ -70,7 +70,15 @@ class ShapeCollector:
         Raises:
             AnnotationError: no finite numbers, or absurdly far from the picture.
         """
-        return point_of(x, y, self.size, self.path, place)
+        values = []
+        for axis, value, length in zip("xy", (x, y), self.size, strict=True):
+            # A float with more digits than usual is a float all the same.
+            plain = float(value) if isinstance(value, float) else value
+            if not is_finite_number(plain) or abs(plain) > MAX_COORDINATE * (length - 1):
+                expected = f"{axis} in px of a picture of {self.size[0]}x{self.size[1]}"
+                raise self.error(f"expected {expected}, found {json_repr(value)}", place)
+            values.append(normalised(value, length - 1))
+        return Point(values[0], values[1])
 
     def takes(self, kind: object, lines: Collection[str]) -> bool:
         """Return whether shapes of a kind are lines or points; polygons, and what is left out, are

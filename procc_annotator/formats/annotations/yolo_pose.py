@@ -38,8 +38,6 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
         size = writing.size(frame)
         if size is None:
             continue
-        writing.lose_point_keys(frame, _TITLE)
-        writing.lose_extra(frame, _TITLE)
         polylines = writing.without_empty(frame, _TITLE)
         lines = []
         for label, polyline in zip(labels_for(polylines, writing.field), polylines, strict=True):

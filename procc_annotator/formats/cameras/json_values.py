@@ -126,6 +126,10 @@ class JsonValues:
             raise self.missing("a number", key)
         return self.finite(self.bare(self.content[key]), key)
 
+    def radians(self, *keys: str) -> tuple[float, ...]:
+        """Angles in radians from keys that hold degrees; errors as `number`."""
+        return tuple([math.radians(self.number(key)) for key in keys])
+
     def focal(self, key: str) -> float:
         """A number of pixels that is not zero.
 
@@ -289,13 +293,3 @@ def _holds_something(value: object) -> bool:
     if isinstance(value, list | dict):
         return any(map(_holds_something, value.values() if isinstance(value, dict) else value))
     return bool(value)
-
-
-def degrees(values: JsonValues, keys: tuple[str, str, str]) -> tuple[float, float, float]:
-    """Three angles in radians from keys that hold degrees.
-
-    Raises:
-        CameraError: one is missing or no finite number.
-    """
-    pan, tilt, roll = (math.radians(values.number(key)) for key in keys)
-    return pan, tilt, roll

@@ -14,7 +14,7 @@ from procc_annotator.camera.matrices import focal_warnings
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.homography import camera_from_homography
-from procc_annotator.formats.cameras.json_values import JsonValues, degrees
+from procc_annotator.formats.cameras.json_values import JsonValues
 from procc_annotator.formats.cameras.loaded_camera import (
     CameraRecord,
     CameraRecords,
@@ -54,7 +54,7 @@ def camera_from(content: object, path: str, inside: str = "", nested: bool = Fal
         CameraError: names the place (``radial_distortion[2]``) and what was expected.
     """
     values = JsonValues.of(content, path, inside, SOCCERNET_KIND, nested)
-    pan, tilt, roll = degrees(values, _ANGLES)
+    pan, tilt, roll = values.radians(*_ANGLES)
     fx, fy = [values.focal(key) for key in _FOCALS]
     x, y, z = values.vector("position_meters", 3)
     centre_x, centre_y = values.vector("principal_point", 2)
@@ -160,9 +160,9 @@ def tvcalib_records(content: object, path: str) -> CameraRecords:
     """
     found: list[tuple[str, CameraRecord]] = []
     problems: list[CameraError] = []
-    for place, read in _parts(content, path):
+    for place, part in _parts(content, path):
         try:
-            record = read()
+            record = _decoded(part, path, place) if isinstance(part, bytes) else part
             found.append((_picture(record, path, place), CameraRecord(place, record)))
         except CameraError as error:
             problems.append(error)
@@ -196,28 +196,23 @@ def tvcalib_from(content: object, path: str, inside: str = "") -> LoadedCamera:
 
 
 def _parts(content: object, path: str) -> list[tuple[str, Any]]:
-    """(place, decoder) of each record."""
+    """(place, record) of each; bytes of one that is not decoded yet."""
     if isinstance(content, bytes):
         content = strip_bom(content)
         if content.lstrip()[:1] != b"[":
-            return [
-                (f"line {number}", lambda text=line, at=number: _decoded(text, path, at))
-                for number, line in enumerate(content.split(b"\n"), 1)
-                if line.strip()
-            ]
+            lines = enumerate(content.split(b"\n"), 1)
+            return [(f"line {number}", line) for number, line in lines if line.strip()]
         content = decode_fast(content, path=path, error=CameraError)
     records = content if isinstance(content, list) else [content]
-    return [(f"[{i}]", lambda r=record: r) for i, record in enumerate(records)]
+    return [(f"[{i}]", record) for i, record in enumerate(records)]
 
 
-def _decoded(line: bytes, path: str, number: int) -> object:
+def _decoded(line: bytes, path: str, place: str) -> object:
     try:
         return decode_fast(line, path=path, error=CameraError)
     except CameraError as error:
         # The place within the line is of no use where a line has thousands of characters.
-        raise CameraError(
-            path, error.problem, place=f"line {number}", advice=error.advice
-        ) from error
+        raise CameraError(path, error.problem, place=place, advice=error.advice) from error
 
 
 def _picture(content: object, path: str, place: str) -> str:
@@ -274,7 +269,7 @@ def broadtrack_from(content: object, path: str, inside: str = "") -> LoadedCamer
     if not 0 < angle < math.pi:
         raise values.error("expected an angle between 0 and 180 degrees", _FIELD_OF_VIEW)
     focal = size[0] / (2 * math.tan(angle / 2))
-    pan, tilt, roll = degrees(values, _BROADTRACK_ANGLES)
+    pan, tilt, roll = values.radians(*_BROADTRACK_ANGLES)
     x, y, z = (values.number(key) for key in _POSITION)
     k1, k2, k3 = _radial(values, size[1] / focal)
     centre, radial = (size[0] / 2, size[1] / 2), (k1, k2, k3, 0.0, 0.0, 0.0)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.formats.cameras.json_values import JsonValues, degrees, lists_objects
+from procc_annotator.formats.cameras.json_values import JsonValues, lists_objects
 from procc_annotator.formats.cameras.krt import HALF_TURN, KRT_KEYS, KrtKeys, centred_k, krt_from
 from procc_annotator.formats.cameras.krt_sets import BY_ORDER, depth_of
 from procc_annotator.formats.cameras.lens_curves import distortion_of_inverse, fisheye_of_polynomial
@@ -145,7 +145,7 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
         moved, turned = own.part("translation"), own.part("rotation")
         if set(own.content.get("scale", {"x": 1}).values()) != {1}:
             raise own.error("expected a scale of 1", "scale")
-        pan, tilt, roll = degrees(turned, ("pan", "tilt", "roll"))
+        pan, tilt, roll = turned.radians("pan", "tilt", "roll")
         position = position + rotation @ np.array([moved.number(key) for key in "xyz"])
         for turn in ((0.0, 0.0, pan), (tilt, 0.0, 0.0), (0.0, roll, 0.0)):
             rotation = rotation @ cv2.Rodrigues(np.array(turn))[0]
