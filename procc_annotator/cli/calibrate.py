@@ -18,6 +18,7 @@ from procc_annotator.calibration.result import ILL_CONDITIONED_LIMITS
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
 from procc_annotator.cli.echo import echo
+from procc_annotator.cli.resuming import is_resuming, resumable
 from procc_annotator.cli.set_fits import FittedFrames, fit_set, fit_sizes
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.layout import annotations_of
@@ -31,7 +32,7 @@ from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report import calibration, joint_calibration
 from procc_annotator.report.calibration import CalibrationReport, calibrate_set
 from procc_annotator.report.joint_calibration import POSITIONS_FILE
-from procc_annotator.report.outputs import Interrupted, is_archive
+from procc_annotator.report.outputs import is_archive
 from procc_annotator.report.scores import score_tables
 
 HELP = """\
@@ -133,7 +134,7 @@ def calibrate(given: CalibrateOptions) -> None:
     place = annotations_of(given.dataset)
     with open_annotations(place, field, given.shown.names(field)) as source:
         left = checkpoint_path(given.out, "calibrate")
-        going_on = options.is_resuming(
+        going_on = is_resuming(
             left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
         )
         _check_out(
@@ -148,12 +149,8 @@ def calibrate(given: CalibrateOptions) -> None:
         pictures = [(name, sizes.picture_of(name)) for name, _ in annotation_files(source)]
         setup = replace(setup, field=options.with_estimated_pixels(field, pictures, given.size))
         asked = _terms(setup, thresholds, sizes, given.model, given.held_out, given.shared_position)
-        try:
-            with Checkpoint(left, asked, resume=going_on) as kept:
-                code = _calibrate(given, source, setup, sizes, thresholds, kept)
-                kept.finish()
-        except Interrupted as stopped:
-            raise KeyboardInterrupt(_interrupted_message(stopped, given.out)) from None
+        with resumable(left, asked, given.out, TABLE_FILE, "camera", resume=going_on) as kept:
+            code = _calibrate(given, source, setup, sizes, thresholds, kept)
         raise typer.Exit(code)
 
 
@@ -197,17 +194,6 @@ def _terms(
         "field": field_settings(setup.field),
         "size": f"{sizes.asked}, of frames without picture {sizes.otherwise}",
     }
-
-
-def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    go_on = "run it again with --resume to go on"
-    if is_archive(out):
-        return f"{out} was not written; {go_on}"
-    if not stopped.written:
-        return f"no camera was written; {go_on}"
-    return (
-        f"{stopped.written} of {stopped.total} cameras written to {out}, {TABLE_FILE} not; {go_on}"
-    )
 
 
 def _fit_individually(run: CalibrationRun, out: Path, workers: int | None, dask: str | None) -> int:

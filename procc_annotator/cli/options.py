@@ -26,7 +26,6 @@ from procc_annotator.formats.annotations.label_map import LabelMap, read_label_m
 from procc_annotator.formats.file_source import ZipSource
 from procc_annotator.image.headers import is_valid_size
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
-from procc_annotator.report.outputs import is_archive
 
 AUTO_ASPECT = "auto"
 CAMERA_FORMAT_NAMES = (
@@ -484,33 +483,3 @@ class ScoringOptions(FieldOptions):
     def own_size(self) -> tuple[int, int] | None:
         """(width, height) px that cameras refer to, where their files do not say."""
         return shown_size(self.camera_size)
-
-
-def is_resuming(left: Path, table: Path, out: Path, *, resume: bool, overwrite: bool) -> bool:
-    """Return whether a run goes on with what another one left.
-
-    Args:
-        left: see `procc_annotator.batch.checkpoint.unfinished_file`.
-        table: what is written last; an archive is written as a whole.
-        out: of the command.
-
-    Raises:
-        UsageError: both was asked for; or neither, and a person's work would be lost.
-        typer.Exit: a run was finished here, nothing is to be gone on with.
-    """
-    if resume and overwrite:
-        raise UsageError("--resume goes on and --overwrite begins anew: give one of them")
-    if not left.exists():
-        done = out if is_archive(out) else table
-        if resume and done.exists():
-            echo(
-                f"{out}: already complete: {done.name} is there and no run was stopped here;"
-                " --overwrite begins anew, with other options for example"
-            )
-            raise typer.Exit
-        return False
-    if not resume and not overwrite:
-        raise UsageError(
-            f"{out}: a run was stopped here; --resume goes on with it, --overwrite begins anew"
-        )
-    return resume

@@ -250,7 +250,10 @@ def test_an_interrupted_run_says_what_is_there_and_how_to_go_on(
         fits_come_from(stopped, patched)
         out = tmp_path / "out"
         done = cli("calibrate", dataset.root, out, "-m", "P", code=130)
-        assert f"interrupted: 16 of 20 cameras written to {out}, calibration.csv not" in done.stderr
+        assert (
+            f"interrupted: 16 cameras of 20 frames written to {out}, calibration.csv not"
+            in done.stderr
+        )
         assert "again with --resume" in done.stderr
         assert len(list(out.glob("camera_*.json"))) == 16
         fits = 0
