@@ -42,11 +42,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.figures import overlay
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.formats.cameras.fit_record import (
-    DIGEST,
-    FIT_KEY,
-    annotation_digest,
-)
+from procc_annotator.formats.cameras.fit_record import DIGEST, FIT_KEY, annotation_digest
 from procc_annotator.formats.cameras.writers import (
     CAMERA_TARGETS,
     CameraWriter,

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path, PurePosixPath
-from typing import Annotated
+from typing import Annotated, TypeVar, cast
 
 import typer
 
@@ -26,6 +26,8 @@ from procc_annotator.formats.annotations.label_map import LabelMap, read_label_m
 from procc_annotator.formats.file_source import ZipSource
 from procc_annotator.image.headers import is_valid_size
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
+
+T = TypeVar("T")
 
 AUTO_ASPECT = "auto"
 CAMERA_FORMAT_NAMES = (
@@ -190,16 +192,11 @@ def parse_size(text: str) -> tuple[int, int]:
     return size
 
 
-def checked_size(text: str | None) -> str | None:
-    if text is not None:
+def checked_size(given: T) -> T:
+    """The size or sizes of an option, or None; see `parse_size`."""
+    for text in [given] if isinstance(given, str) else cast(list[str] | None, given) or ():
         parse_size(text)
-    return text
-
-
-def _checked_sizes(texts: list[str] | None) -> list[str] | None:
-    for text in texts or ():
-        parse_size(text)
-    return texts
+    return given
 
 
 def _checked_lines(text: str | None) -> str | None:
@@ -248,7 +245,7 @@ Sizes = Annotated[
     typer.Option(
         "--size",
         metavar="WxH",
-        callback=_checked_sizes,
+        callback=checked_size,
         help="Picture size at which everything is compared; repeat for several."
         "  [default: 960x540]",
     ),
@@ -289,6 +286,20 @@ KeepOptional = Annotated[
         help="Write elements, too, that SoccerNet has no class for (marks, landmarks).",
     ),
 ]
+Model = Annotated[
+    str,
+    typer.Option(
+        "--model", "-m", metavar="H|P|R|R+|R2|F|auto", help="Camera to fit to each frame."
+    ),
+]
+PosedModel = Annotated[
+    str,
+    typer.Option("--model", "-m", metavar="P|R|R+|R2|F|auto", help="Camera to fit to each frame."),
+]
+PicturesOrVideo = Annotated[
+    Path, typer.Argument(help="Folder of pictures, one picture, or a video.")
+]
+Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
 Resume = Annotated[
     bool,
     typer.Option("--resume", help="Go on where a run in the same words was stopped; else begin."),

@@ -69,10 +69,7 @@ Exit code: 0; 1 if some pictures or annotations were unreadable (listed); 2 if t
 do. A frame without a camera is no error.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator propose match/ proposed/
   procc-annotator propose match.mp4 proposed/ --every 25 --known-positions fitted/positions.csv
 """
@@ -81,7 +78,6 @@ Example:
 _WORTH_WORKERS = 8
 
 Out = Annotated[Path, typer.Argument(help="Folder to write the cameras to.")]
-Source = Annotated[Path, typer.Argument(help="Folder of pictures, one picture, or a video.")]
 Known = Annotated[
     Path | None,
     typer.Option(
@@ -109,7 +105,6 @@ SureFrom = Annotated[
     ),
 ]
 All = Annotated[bool, typer.Option("--all", help="Also frames that are annotated.")]
-Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
 Workers = Annotated[
     int | None,
     typer.Option(
@@ -120,29 +115,26 @@ Workers = Annotated[
         " CPU]",
     ),
 ]
-Overwrite = Annotated[
-    bool, typer.Option("--overwrite", help="Replace cameras of OUT that are there.")
-]
 
 
 @dataclass(frozen=True, kw_only=True)
 class ProposeOptions:
     """Options of `propose`."""
 
-    dataset: Source
+    dataset: options.PicturesOrVideo
     out: Out
     known: Known = None
     every_frame: All = False
-    every: Every = 1
+    every: options.Every = 1
     detector: With = None
     sure_from: SureFrom = SURE_FROM
     annotations: input_files.Annotations = None
-    shown: options.PictureFieldOptions
+    field_options: options.PictureFieldOptions
     camera_format: options.CameraFormat = "auto"
     workers: Workers = None
     dask: options.Dask = None
     resume: options.Resume = False
-    overwrite: Overwrite = False
+    overwrite: options.Overwrite = False
 
 
 def propose(given: ProposeOptions) -> None:
@@ -151,8 +143,8 @@ def propose(given: ProposeOptions) -> None:
             raise UsageError(f"{place}: does not exist")
     if given.detector is not None:
         chosen_proposer(given.detector)
-    shown = given.shown.of(given.dataset)
-    names = given.shown.names(shown)
+    shown = given.field_options.of(given.dataset)
+    names = given.field_options.names(shown)
     pictures = open_pictures(given.dataset, given.annotations)
     remarks.report_remarks(pictures.notices)
     left = checkpoint_path(given.out, "propose")
