@@ -288,7 +288,7 @@ def draw_overlay(
         camera: as `evaluate` takes it; None for none.
         size: (width, height) px at which annotation and camera are compared, which ``threshold``
             belongs to; that of the picture if None.
-        field, camera_size, threshold, protocol: as of `evaluate`.
+        field: and camera_size, threshold, protocol: as of `evaluate`.
         scale: px of the result per px of the picture; lines and text grow with it.
         painted_width: whether the borders of painted lines are drawn, too.
         caption: in the lower left corner.

@@ -143,7 +143,7 @@ def load_annotations(
             program reads; or a dataset's folder with its annotations in ``annotations/``.
         field: knows the official spellings of the classes; or its name, see `load_field`; the
             usual one if None.
-        on_damaged, labels: as of `load_dataset`.
+        on_damaged: and labels: as of `load_dataset`.
 
     Returns:
         Frame name -> its annotation, see `load_annotation`, in natural order.
@@ -165,7 +165,7 @@ def load_annotation(
     Args:
         path: a file of any annotation format the program reads, or a folder or zip archive with
             one such file; it must hold exactly one frame.
-        field, labels: as of `load_annotations`.
+        field: and labels: as of `load_annotations`.
 
     Returns:
         The polylines by class, in the order of the file. Points are normalised: (0, 0) is the
