@@ -98,7 +98,7 @@ def leave_one_out(
     What a fit explains is no evidence for its model; what it predicts is.
 
     Args:
-        annotation, field, model, size: as of `fit_camera`.
+        annotation: and field, model, size: as of `fit_camera`.
         protocol: of the distances, see `evaluate`.
 
     Returns:
@@ -224,7 +224,7 @@ def check_labels(
     """Return what may be wrong with the labels and points of a frame.
 
     Args:
-        annotation, field: as of `fit_camera`.
+        annotation: and field: as of `fit_camera`.
         size: (width, height) px of the picture, or any size of its shape; that of ``picture`` if it
             is given.
         picture: a picture's file, or its pixels, (H, W, 3) or (H, W, 4) uint8, BGR: what it shows

@@ -42,11 +42,7 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.figures import overlay
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.formats.cameras.fit_record import (
-    DIGEST,
-    FIT_KEY,
-    annotation_digest,
-)
+from procc_annotator.formats.cameras.fit_record import DIGEST, FIT_KEY, annotation_digest
 from procc_annotator.formats.cameras.writers import (
     CAMERA_TARGETS,
     CameraWriter,
@@ -292,7 +288,7 @@ def draw_overlay(
         camera: as `evaluate` takes it; None for none.
         size: (width, height) px at which annotation and camera are compared, which ``threshold``
             belongs to; that of the picture if None.
-        field, camera_size, threshold, protocol: as of `evaluate`.
+        field: and camera_size, threshold, protocol: as of `evaluate`.
         scale: px of the result per px of the picture; lines and text grow with it.
         painted_width: whether the borders of painted lines are drawn, too.
         caption: in the lower left corner.

@@ -113,7 +113,7 @@ def jac_curve(
         annotation: what is annotated, points normalised.
         camera: as `evaluate` takes it.
         thresholds: (T,) px, in any order.
-        field, size, camera_size, protocol, allow_mirrored, off_plane, planar_only: as of
+        field: and size, camera_size, protocol, allow_mirrored, off_plane, planar_only: as of
             `evaluate`.
 
     Returns:
@@ -143,7 +143,7 @@ def project_field(
     """Return where a camera shows the elements of a field.
 
     Args:
-        camera, field, camera_size: as of `evaluate`.
+        camera: and field, camera_size: as of `evaluate`.
         size: (width, height) px of the picture; as of `evaluate`.
         protocol: ``procc`` for true curves; ``soccernet`` for the points that the official
             evaluation measures to, which always end at the border of the picture.

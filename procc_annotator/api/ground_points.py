@@ -88,7 +88,7 @@ def to_ground(
             ``frame`` and ``x``, ``y`` (px), or a box, of which the middle of the lower edge counts.
         cameras: of their frames, as `save_projection` takes them; a number names the only frame
             that ends in it (12: ``000012``).
-        field, camera_size: as of `evaluate`.
+        field: and camera_size: as of `evaluate`.
         size: (width, height) px that points belong to; None for the size of the cameras.
         axes: ``field``: metres from the centre, y towards the main camera; ``up``: y away from it,
             as SkillCorner; ``corner``: from the far left corner; ``metrica``: the same as shares of
@@ -143,7 +143,7 @@ def to_pixels(
 
     Args:
         points: as of `to_ground`, with ``X`` and ``Y`` in the axes, or those of a column ``axes``.
-        cameras, field, camera_size, axes: as of `to_ground`.
+        cameras: and field, camera_size, axes: as of `to_ground`.
         size: as of `to_ground`; of the pixels.
 
     Returns:
@@ -190,7 +190,7 @@ def homography_of(
     Args:
         camera: as `evaluate` takes it.
         region: ``field``, or (x0, y0, x1, y1) metres; what the picture shows of it counts.
-        field, camera_size: as of `evaluate`.
+        field: and camera_size: as of `evaluate`.
         size: (width, height) px of the picture; None for the camera's.
 
     Returns:

@@ -19,11 +19,7 @@ from procc_annotator.dataset.diagnostics import found_instead_of_cameras
 from procc_annotator.dataset.frames import list_frames
 from procc_annotator.dataset.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 from procc_annotator.dataset.layout import annotations_or_path
-from procc_annotator.dataset.picture_sizes import (
-    PictureSizes,
-    picture_size,
-    size_in_annotation,
-)
+from procc_annotator.dataset.picture_sizes import PictureSizes, picture_size, size_in_annotation
 from procc_annotator.errors import InputError, ProccError, UsageError
 from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
@@ -116,7 +112,9 @@ def load_dataset(
     known = field_of_dataset_with_landmarks(known, place)
     if place.is_file():
         place = annotations_or_path(place)  # of a video: its kept frames
-    pictures = _pictures_of(place)
+    pictures = {}  # an archive's are not found
+    if place.is_dir():
+        pictures = {frame.name: frame.image_path for frame in list_frames(place)[1]}
     frames: list[ExchangedFrame] = []
     inside = annotations_or_path(place)
     if not pictures or _holds_annotations(inside):
@@ -145,7 +143,7 @@ def load_annotations(
             program reads; or a dataset's folder with its annotations in ``annotations/``.
         field: knows the official spellings of the classes; or its name, see `load_field`; the
             usual one if None.
-        on_damaged, labels: as of `load_dataset`.
+        on_damaged: and labels: as of `load_dataset`.
 
     Returns:
         Frame name -> its annotation, see `load_annotation`, in natural order.
@@ -160,17 +158,14 @@ def load_annotations(
 
 
 def load_annotation(
-    path: str | Path,
-    field: Field | str | None = None,
-    *,
-    labels: str | Path | None = None,
+    path: str | Path, field: Field | str | None = None, *, labels: str | Path | None = None
 ) -> FrameAnnotation:
     """Read what is annotated in one frame.
 
     Args:
         path: a file of any annotation format the program reads, or a folder or zip archive with
             one such file; it must hold exactly one frame.
-        field, labels: as of `load_annotations`.
+        field: and labels: as of `load_annotations`.
 
     Returns:
         The polylines by class, in the order of the file. Points are normalised: (0, 0) is the
@@ -203,10 +198,7 @@ def load_annotation(
 
 
 def load_cameras(
-    path: str | Path,
-    *,
-    format: str = "auto",
-    on_damaged: OnDamaged | None = None,
+    path: str | Path, *, format: str = "auto", on_damaged: OnDamaged | None = None
 ) -> dict[str, LoadedCamera]:
     """Read the cameras of a method.
 
@@ -304,10 +296,3 @@ def _frames(
 
 def _raise(error: ProccError) -> None:
     raise error
-
-
-def _pictures_of(place: Path) -> dict[str, Path]:
-    """Frame name -> picture, of a folder or of a tree of folders; of an archive none."""
-    if not place.is_dir():
-        return {}
-    return {frame.name: frame.image_path for frame in list_frames(place)[1]}

@@ -167,7 +167,7 @@ class SetScore:
 
         Args:
             other: of the same annotations and thresholds.
-            cluster, method, draws, seed, level: as of `intervals`.
+            cluster: and method, draws, seed, level: as of `intervals`.
 
         Returns:
             Threshold (px) -> key (``mean_jac``, ``final_score``, ``mean_error``, ``completeness``)
@@ -252,7 +252,7 @@ def evaluate_set(
         size: (width, height) px at which annotations and cameras are compared; cameras are scaled
             to it.
         thresholds: px; compared strictly.
-        camera_size, protocol, allow_mirrored, off_plane, planar_only: as of `evaluate`.
+        camera_size: and protocol, allow_mirrored, off_plane, planar_only: as of `evaluate`.
 
     Returns:
         The figures of the set by threshold, the scores of its frames, and both as tables.

@@ -17,12 +17,7 @@ from procc_annotator.cli import inference_options, options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.options import chosen_field
-from procc_annotator.cli.remarks import (
-    report_camera_names,
-    report_mismatch,
-    report_remarks,
-    report_unreadable,
-)
+from procc_annotator.cli.remarks import report_remarks, report_set, report_unreadable
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.layout import annotations_of, folder_of_dataset
 from procc_annotator.errors import InputError, UsageError
@@ -66,10 +61,7 @@ counts for nothing. Intervals (95 %) say how far figures would differ on other f
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator agree anna/annotations ben/annotations --tau 5 --tau 2 --output agreement.csv
   procc-annotator agree anna/ ben/ cleo/ --cluster shot --consensus agreed/ --output agreement.json
   procc-annotator agree anna/ ben/ --reference match/ --output reference.json
@@ -140,7 +132,7 @@ def agree(given: AgreeOptions) -> None:
         raise UsageError("--frames needs --reference")
     if not 2 <= count <= MAX_ANNOTATORS:
         raise UsageError(f"annotations of {count} given, expected those of 2 to {MAX_ANNOTATORS}")
-    files = outputs.figure_files(given.output)
+    files = outputs.output_files(given.output)
     thresholds = options.thresholds_or_default(given.threshold)
     shown = chosen_field(given.field, *given.annotators)
     names = options.label_map(given.labels, shown)
@@ -151,8 +143,7 @@ def agree(given: AgreeOptions) -> None:
         ]
         outputs.check_not_inputs(files, sources)
         for source, letter in zip(sources, ascii_uppercase, strict=False):
-            report_mismatch(source, shown, f"{letter}: ")
-            report_camera_names(source, f"{letter}: ")
+            report_set(source, shown, f"{letter}: ")
         lists = qualify_by_folder([list_annotations(source) for source in sources])
         report_remarks(ambiguous_folders(zip(given.annotators, lists, strict=True)))
         alike = given.alike.of(source.path for source in sources)
@@ -208,7 +199,7 @@ def _replacing(given: AgreeOptions, run: ConsensusRun) -> AbstractContextManager
 
 
 def _against_reference(given: AgreeOptions, reference: Path) -> int:
-    files = outputs.figure_files(given.output)
+    files = outputs.output_files(given.output)
     places = (reference, *given.annotators)
     shown = chosen_field(given.field, *places)
     names = options.label_map(given.labels, shown)

@@ -51,31 +51,26 @@ the camera looks and how far it zooms: those to look at first. With both, 20 of 
 Exit code: 0; 1 if some pictures or cameras were unreadable (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator annotate match.mp4 match_frames/ --cameras tracked/ --every 25
   procc-annotator annotate match/ match/annotations/ --cameras proposed/ --views 20
 """
 
-Source = Annotated[Path, typer.Argument(help="Folder of pictures, one picture, or a video.")]
 Out = Annotated[Path, typer.Argument(help="Folder to write the annotations to.")]
 Cameras = Annotated[
     Path, typer.Option("--cameras", metavar="PATH", help="Folder, zip or file of cameras.")
 ]
-Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
 Views = Annotated[
     int | None, typer.Option(min=1, metavar="K", help="The K frames whose views differ most only.")
 ]
 
 
 def annotate(
-    source: Source,
+    source: options.PicturesOrVideo,
     out: Out,
     cameras: Cameras,
     given: options.FieldOptions,
-    every: Every = 1,
+    every: options.Every = 1,
     views: Views = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,

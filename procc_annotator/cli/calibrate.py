@@ -18,6 +18,7 @@ from procc_annotator.calibration.result import ILL_CONDITIONED_LIMITS
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console, with_progress
 from procc_annotator.cli.echo import echo
+from procc_annotator.cli.resuming import is_resuming, resumable
 from procc_annotator.cli.set_fits import FittedFrames, fit_set, fit_sizes
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.layout import annotations_of
@@ -31,7 +32,7 @@ from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report import calibration, joint_calibration
 from procc_annotator.report.calibration import CalibrationReport, calibrate_set
 from procc_annotator.report.joint_calibration import POSITIONS_FILE
-from procc_annotator.report.outputs import Interrupted, is_archive
+from procc_annotator.report.outputs import is_archive
 from procc_annotator.report.scores import score_tables
 
 HELP = """\
@@ -68,19 +69,13 @@ Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was not
 without a camera is listed with the reason and is no error.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator calibrate match/ match/cameras/ --model R -t 2 -t 5
   procc-annotator calibrate match/ match/cameras/ --shared-position
 """
 
 
 Out = Annotated[Path, typer.Argument(help="Folder or .zip to write the cameras to.")]
-Model = Annotated[
-    str, typer.Option("--model", "-m", metavar="H|P|R|R+|R2|F|auto", help="What to fit.")
-]
 SharedPosition = Annotated[
     bool,
     typer.Option(
@@ -94,9 +89,6 @@ HeldOut = Annotated[
         help="Also leave out every element in turn, and judge it by the camera of the others.",
     ),
 ]
-Overwrite = Annotated[
-    bool, typer.Option("--overwrite", help="Replace cameras of OUT that are there.")
-]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,11 +97,11 @@ class CalibrateOptions:
 
     dataset: options.AnnotatedSet
     out: Out
-    model: Model = "R"
+    model: options.Model = "R"
     threshold: options.Thresholds = None
     protocol: options.Protocol = "soccernet"
     size: options.FitSize = None
-    shown: options.PictureFieldOptions
+    field_options: options.PictureFieldOptions
     off_plane: options.OffPlane = "left_out"
     mirrored: options.Mirrored = False
     workers: options.FitWorkers = None
@@ -118,7 +110,7 @@ class CalibrateOptions:
     groups: options.Groups = None
     held_out: HeldOut = False
     resume: options.Resume = False
-    overwrite: Overwrite = False
+    overwrite: options.Overwrite = False
 
 
 def calibrate(given: CalibrateOptions) -> None:
@@ -127,13 +119,13 @@ def calibrate(given: CalibrateOptions) -> None:
         raise UsageError("--groups is for --shared-position")
     if given.held_out and given.shared_position:
         raise UsageError("--leave-one-out is for cameras of their own, not for --shared-position")
-    field = given.shown.of(given.dataset)
+    field = given.field_options.of(given.dataset)
     setup = options.setup_for(field, given.size, given.protocol, given.off_plane, given.mirrored)
     thresholds = options.thresholds_or_default(given.threshold)
     place = annotations_of(given.dataset)
-    with open_annotations(place, field, given.shown.names(field)) as source:
+    with open_annotations(place, field, given.field_options.names(field)) as source:
         left = checkpoint_path(given.out, "calibrate")
-        going_on = options.is_resuming(
+        going_on = is_resuming(
             left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
         )
         _check_out(
@@ -142,18 +134,13 @@ def calibrate(given: CalibrateOptions) -> None:
             overwrite=given.overwrite or going_on,
             positions=given.shared_position,
         )
-        remarks.report_mismatch(source, field)
-        remarks.report_camera_names(source)
+        remarks.report_set(source, field)
         sizes = fit_sizes(source, place, given.dataset, given.size)
         pictures = [(name, sizes.picture_of(name)) for name, _ in annotation_files(source)]
         setup = replace(setup, field=options.with_estimated_pixels(field, pictures, given.size))
-        asked = _terms(setup, thresholds, sizes, given.model, given.held_out, given.shared_position)
-        try:
-            with Checkpoint(left, asked, resume=going_on) as kept:
-                code = _calibrate(given, source, setup, sizes, thresholds, kept)
-                kept.finish()
-        except Interrupted as stopped:
-            raise KeyboardInterrupt(_interrupted_message(stopped, given.out)) from None
+        asked = _terms(given, setup, thresholds, sizes)
+        with resumable(left, asked, given.out, TABLE_FILE, "camera", resume=going_on) as kept:
+            code = _calibrate(given, source, setup, sizes, thresholds, kept)
         raise typer.Exit(code)
 
 
@@ -177,37 +164,18 @@ def _calibrate(
 
 
 def _terms(
-    setup: EvaluationSetup,
-    thresholds: tuple[float, ...],
-    sizes: FitSizes,
-    model: str,
-    held_out: bool,
-    shared_position: bool,
+    given: CalibrateOptions, setup: EvaluationSetup, thresholds: tuple[float, ...], sizes: FitSizes
 ) -> dict[str, str]:
     """Return what a run has to share with the one that it goes on with."""
+    shared = "shared position" if given.shared_position else ""
     return {
-        "way to calibrate": " ".join(
-            word
-            for word, wanted in (("held out", held_out), ("shared position", shared_position))
-            if wanted
-        ),
-        "model": model,
+        "way to calibrate": "held out" if given.held_out else shared,
+        "model": given.model,
         "thresholds": ", ".join(f"{tau:g}" for tau in thresholds),
         "scoring": setup.describe(ground_only=True),
         "field": field_settings(setup.field),
         "size": f"{sizes.asked}, of frames without picture {sizes.otherwise}",
     }
-
-
-def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    go_on = "run it again with --resume to go on"
-    if is_archive(out):
-        return f"{out} was not written; {go_on}"
-    if not stopped.written:
-        return f"no camera was written; {go_on}"
-    return (
-        f"{stopped.written} of {stopped.total} cameras written to {out}, {TABLE_FILE} not; {go_on}"
-    )
 
 
 def _fit_individually(run: CalibrationRun, out: Path, workers: int | None, dask: str | None) -> int:

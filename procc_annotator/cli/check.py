@@ -16,12 +16,7 @@ from procc_annotator.calibration.label_check.finding import severity_from_name
 from procc_annotator.cli import options, outputs
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.remarks import (
-    report_camera_names,
-    report_mismatch,
-    report_remarks,
-    report_unreadable,
-)
+from procc_annotator.cli.remarks import report_remarks, report_set, report_unreadable
 from procc_annotator.cli.set_fits import fit_sizes
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.layout import annotations_of
@@ -48,12 +43,7 @@ Exit code: 0, whatever was found; 1 if something was found that --fail-on asks f
 annotations were unreadable (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
-  procc-annotator check match/ --output findings.csv
-"""
+EXAMPLE = "  procc-annotator check match/ --output findings.csv\n"
 
 
 Least = Annotated[
@@ -69,9 +59,6 @@ FailOn = Annotated[
         metavar="error|warning|hint",
         help="Exit code 1 if something at least so severe is found.",
     ),
-]
-Model = Annotated[
-    str, typer.Option("--model", "-m", metavar="H|P|R|R+|R2|F|auto", help="Camera to fit.")
 ]
 
 
@@ -90,7 +77,7 @@ def check(
     output: options.FigureFiles = None,
     least: Least = "hint",
     fail_on: FailOn = None,
-    model: Model = "R",
+    model: options.Model = "R",
     size: options.FitSize = None,
     paint: Paint = True,
     workers: options.FitWorkers = None,
@@ -99,17 +86,13 @@ def check(
     require_known_model(model)
     shown = severity_from_name(least)
     failing = None if fail_on is None else severity_from_name(fail_on)
-    written_to = outputs.each_once(output or [])
-    for path in written_to:
-        label_check.check_findings_suffix(path)
-        outputs.check_output_folder(path)
+    written_to = outputs.output_files(output, label_check.check_findings_suffix)
     place = annotations_of(dataset)
     known = given.of(dataset)
     with open_annotations(place, known, given.names(known)) as source:
         outputs.check_not_inputs(written_to, [source])
         sizes = fit_sizes(source, place, dataset, size)
-        mismatch = report_mismatch(source, known)
-        report_camera_names(source)
+        mismatch = report_set(source, known)
         pictures = [(name, sizes.picture_of(name)) for name, _ in annotation_files(source)]
         known = options.with_estimated_pixels(known, pictures, size)
         run = CheckRun(source, known, sizes, model, looks=paint)

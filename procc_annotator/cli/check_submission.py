@@ -28,10 +28,7 @@ figures suffer) or "ignored" (it is never looked at).
 Exit code: 0 if there is nothing to say; 1 if there is; 2 if the archive cannot be opened.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator check-submission test.zip --annotations SoccerNet/test --split test
 """
 

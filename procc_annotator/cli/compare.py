@@ -21,10 +21,9 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.cli.method_arguments import parse_sources
 from procc_annotator.cli.options import chosen_field
 from procc_annotator.cli.remarks import (
-    report_camera_names,
-    report_mismatch,
     report_notices,
     report_remarks,
+    report_set,
     report_unreadable,
 )
 from procc_annotator.dataset.annotation_source import open_annotations
@@ -67,10 +66,7 @@ figure by figure which of B and C is nearer to A (permutation test, corrected by
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator compare carwc=homographies/ ours=cameras/ match/ --pictures out/ -n 20
   procc-annotator compare reference=true/ ours=cameras/ match/ --versus theirs=others.zip
 """
@@ -158,7 +154,7 @@ def compare(given: CompareOptions) -> None:
         given.alike.tags is not None or given.seed != inference_options.USUAL_SEED
     ):
         raise UsageError("--tags and --seed need --intervals, --cluster or --versus")
-    written_to = outputs.figure_files(given.output)
+    written_to = outputs.output_files(given.output)
     shown_field = chosen_field(given.field, given.dataset, lines=given.lines)
     texts = (given.a, given.b) if given.versus is None else (given.a, given.b, given.versus)
     own_size = options.shown_size(given.camera_size)
@@ -261,8 +257,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     if not dataset.exists():
         raise UsageError(f"{dataset}: does not exist")
     with open_annotations(annotations_or_path(dataset), field) as source:
-        report_mismatch(source, field)
-        report_camera_names(source)
+        report_set(source, field)
         if dataset.is_dir() and (pictures_in(dataset) or has_pictures_below(dataset)):
             workspace = Workspace.open(dataset, field)
             if workspace.frames:

@@ -174,17 +174,12 @@ def stdout_console() -> Console:
 
 def with_progress(items: Iterable[T], total: int, what: str) -> Iterator[T]:
     """The items, with a bar on stderr while they come, if anyone watches."""
-    if not sys.stderr.isatty():
-        yield from items
-        return
-    bar = _bar()
-    with bar:
-        task = bar.add_task(what, total=total)
-        step = max(1, total // 200)
+    step = max(1, total // 200)
+    with progress_bar(what) as progress:
         for done, item in enumerate(items, start=1):
             yield item
             if done % step == 0 or done == total:
-                bar.update(task, completed=done)
+                progress(done, total)
 
 
 @contextmanager
@@ -193,17 +188,9 @@ def progress_bar(what: str) -> Iterator[Callable[[int, int], None]]:
     if not sys.stderr.isatty():
         yield lambda done, total: None
         return
-    with _bar() as bar:
+    with Progress(
+        TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(),
+        console=Console(stderr=True), transient=True,
+    ) as bar:  # fmt: skip
         task = bar.add_task(what, total=None)
         yield lambda done, total: bar.update(task, completed=done, total=total)
-
-
-def _bar() -> Progress:
-    return Progress(
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeRemainingColumn(),
-        console=Console(stderr=True),
-        transient=True,
-    )

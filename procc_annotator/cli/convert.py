@@ -48,10 +48,7 @@ Whatever a format cannot hold is told, line by line.
 Exit code: 0; 1 if some files or frames were left out (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Examples:
-
-\b
+EXAMPLE = """\
   procc-annotator convert match/ cvat.zip --to cvat --pictures
   procc-annotator convert task/annotations.xml back/ --to soccernet
   procc-annotator convert match/ masks/ --to masks --line-width 6
@@ -179,7 +176,7 @@ def _convert_annotations(given: ConvertOptions) -> int:
     )  # fmt: skip
     size, source = options.shown_size(given.size), given.source
     known = chosen_field(given.field, source)
-    with _progress() as progress:
+    with progress_bar("converting") as progress:
         done = convert_annotations(
             source,
             given.out,
@@ -271,16 +268,13 @@ def _cameras(
         raise UsageError(f"{out}: lies in what is read, write to another place than {source}")
     if out.exists() and not given.overwrite and (out.is_file() or any(out.iterdir())):
         raise UsageError(f"{out}: exists already, choose another name or ask to overwrite it")
-    with CameraCollection.open(source, given.from_) as cameras, _progress() as progress:
+    with (
+        CameraCollection.open(source, given.from_) as cameras,
+        progress_bar("converting") as progress,
+    ):
         if not cameras.frames:
             instead = found_instead_of_cameras(source)
             raise UsageError(
                 f"nothing to do: no camera (format {given.from_}) in {source}{instead}"
             )
         yield cameras, progress
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[int, int], None]]:
-    with progress_bar("converting") as progress:
-        yield progress

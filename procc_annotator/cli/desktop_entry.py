@@ -26,12 +26,7 @@ listed.
 Exit code: 0; 2 if it cannot be done here.
 """
 
-EXAMPLE = """
-Example:
-
-\b
-  procc-annotator desktop-entry --install
-"""
+EXAMPLE = "  procc-annotator desktop-entry --install\n"
 
 ID = "org.procc.Annotator"
 _SPECIAL = '"`$\\'

@@ -17,6 +17,11 @@ def echo(text: object = "", *, err: bool = False) -> None:
     typer.echo(printable(str(text), keep="\n"), err=err)  # noqa: TID251
 
 
+def example_epilog(commands: str) -> str:
+    """The end of a command's help: examples, as they are typed, under their heading."""
+    return f"\nExamples:\n\n\b\n{commands}"
+
+
 _MAX_LISTED = 5
 _LONGEST_PLACE = 60  # characters of a place in a file
 

@@ -26,12 +26,7 @@ from procc_annotator.cli.evaluation_plan import (
     submitted_source,
 )
 from procc_annotator.cli.manifest import ManifestFile, ManifestOfRun
-from procc_annotator.cli.remarks import (
-    report_camera_names,
-    report_mismatch,
-    report_remarks,
-    report_unreadable,
-)
+from procc_annotator.cli.remarks import report_remarks, report_set, report_unreadable
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.messages import first_names, pluralize
@@ -55,10 +50,7 @@ An unreadable annotation is listed and left out of every figure. A missing or un
 lowers the completeness. A camera without annotation is reported and not counted.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator evaluate annotations/ cameras.zip -t 5 -t 2 --output scores.json
   procc-annotator evaluate --set wc14=wc14/annotations --set ts=ts/annotations \\
       --cameras 'pnl={set}/pnlcalib' --cameras 'nbjw:wc14={set}/nbjw.zip' \\
@@ -100,7 +92,7 @@ class EvaluateOptions:
     threshold: options.Thresholds = None
     protocol: options.Protocol = "soccernet"
     size: options.Sizes = None
-    shown: options.FieldOptions
+    field_options: options.FieldOptions
     camera_format: options.CameraFormat = "auto"
     camera_size: options.CameraSize = None
     off_plane: options.OffPlane = "missed"
@@ -124,7 +116,7 @@ class EvaluateOptions:
 
 def evaluate(context: typer.Context, given: EvaluateOptions) -> None:
     # Everything is examined before any work.
-    written_to = outputs.figure_files(given.output)
+    written_to = outputs.output_files(given.output)
     manifest = ManifestOfRun.of(context, given.manifest)
     plan = _plan(given)
     fields = plan.fields()
@@ -184,8 +176,9 @@ def _plan(given: EvaluateOptions) -> Plan:
     if given.submission is not None:
         cameras, sources = None, [*sources, submitted_source(given.submission)]
     return Plan.of(
-        given.annotations, cameras, given.sets or [], sources, given.camera_format, given.shown
-    )
+        given.annotations, cameras, given.sets or [], sources, given.camera_format,
+        given.field_options,
+    )  # fmt: skip
 
 
 def _inference(
@@ -212,8 +205,7 @@ def _check_inputs(
     """Report doubtful annotations; refuse outputs that are among the inputs."""
     for one in {one.set_name: one for one in requests}.values():
         of = f"{one.set_name}: " if len(plan.sets) > 1 else ""
-        report_mismatch(one.annotations, one.setup.field, of)
-        report_camera_names(one.annotations, of)
+        report_set(one.annotations, one.setup.field, of)
     inputs: list[outputs.Input] = [s for one in requests for s in (one.annotations, one.cameras)]
     outputs.check_not_inputs(written_to, [*inputs, *([given.tags] if given.tags else [])])
 

@@ -87,13 +87,13 @@ class Plan:
 
     Attributes:
         named: whether they were named, so that files have to state which is which.
-        shown: the options of the field, and of what labels stand for.
+        field_options: the options of the field, and of what labels stand for.
     """
 
     sets: tuple[tuple[str, Path], ...]
     methods: tuple[SourceSpec, ...]
     named: bool
-    shown: FieldOptions
+    field_options: FieldOptions
 
     @classmethod
     def of(
@@ -103,7 +103,7 @@ class Plan:
         sets: Sequence[str],
         sources: Sequence[str],
         camera_format: str,
-        shown: FieldOptions,
+        field_options: FieldOptions,
     ) -> Plan:
         """Read the arguments; UsageError if something is missing or given twice, or two have the
         same name."""
@@ -129,11 +129,11 @@ class Plan:
         methods = parse_sources(sources, camera_format)
         if cameras is not None:
             methods = (SourceSpec(name_of(str(cameras)), camera_format, cameras),)
-        return cls(chosen, methods, bool(sets or sources), shown)
+        return cls(chosen, methods, bool(sets or sources), field_options)
 
     def fields(self) -> dict[str, Field]:
         """The field of each set: the one of the options, or else the set's own."""
-        return {name: self.shown.of(path) for name, path in self.sets}
+        return {name: self.field_options.of(path) for name, path in self.sets}
 
     def open(
         self,
@@ -171,7 +171,7 @@ class Plan:
         return asked
 
     def _annotations(self, path: Path, field: Field) -> FileSource:
-        return open_annotations(path, field, self.shown.names(field))
+        return open_annotations(path, field, self.field_options.names(field))
 
     def frames(self, fields: Mapping[str, Field]) -> dict[str, tuple[str, ...]]:
         """The annotated frames of each set; fields as of `open`."""

@@ -29,10 +29,7 @@ nothing else; what it would stop at is left out and told. The scores are then be
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator export match/ match.zip --cameras predictions/ -t 5 -t 2
   procc-annotator export match/ test_json.zip --split test
 """

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli.console import stdout_console
-from procc_annotator.cli.echo import echo
+from procc_annotator.cli.echo import echo, example_epilog
 from procc_annotator.cli.open import display_available, require_qt_libraries
 from procc_annotator.cli.options import chosen_field, named_field
 from procc_annotator.cli.outputs import check_not_inputs, check_output_folder
@@ -28,12 +28,7 @@ from procc_annotator.report.field_tables import (
 )
 
 LIST_HELP = "List the fields that come with the program."
-LIST_EXAMPLE = """
-Example:
-
-\b
-  procc-annotator field list
-"""
+LIST_EXAMPLE = "  procc-annotator field list\n"
 CHECK_HELP = """Check a field file.
 
 What cannot be read is told with its line, what was expected and what to do. What can be read but is
@@ -44,12 +39,7 @@ something that may be left as it is.
 
 Exit code: 0 if there are no errors or warnings; 1 if there are; 2 if the field cannot be read.
 """
-CHECK_EXAMPLE = """
-Example:
-
-\b
-  procc-annotator field check padel.toml
-"""
+CHECK_EXAMPLE = "  procc-annotator field check padel.toml\n"
 SHOW_HELP = """Show a field: its elements, dimensions and symmetries as tables, and its map.
 
 With --output the map is written as a picture. On a terminal a window with the map opens, too, which
@@ -58,10 +48,7 @@ Dimensions that are not nominal follow the name: futsal:length=39.8,width=19.9 (
 
 Exit code: 0; 2 if the field cannot be read.
 """
-SHOW_EXAMPLE = """
-Examples:
-
-\b
+SHOW_EXAMPLE = """\
   procc-annotator field show basketball_fiba
   procc-annotator field show padel.toml --output map.svg
 """
@@ -77,12 +64,12 @@ FieldText = Annotated[
 ]
 
 
-@app.command("list", help=LIST_HELP, epilog=LIST_EXAMPLE)
+@app.command("list", help=LIST_HELP, epilog=example_epilog(LIST_EXAMPLE))
 def list_fields() -> None:
     stdout_console().print(list_table(load_field(name) for name in field_names()))
 
 
-@app.command("check", help=CHECK_HELP, epilog=CHECK_EXAMPLE)
+@app.command("check", help=CHECK_HELP, epilog=example_epilog(CHECK_EXAMPLE))
 def check(field: FieldText) -> None:
     read = chosen_field(field)
     remarks = validate_field(read, _keys_of_the_window())
@@ -96,7 +83,7 @@ def check(field: FieldText) -> None:
     raise typer.Exit(1 if doubtful else 0)
 
 
-@app.command("show", help=SHOW_HELP, epilog=SHOW_EXAMPLE)
+@app.command("show", help=SHOW_HELP, epilog=example_epilog(SHOW_EXAMPLE))
 def show(
     field: FieldText,
     output: Annotated[

@@ -14,12 +14,7 @@ from procc_annotator.calibration.joint.field_dimensions import fittable_dimensio
 from procc_annotator.cli import options
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.remarks import (
-    report_camera_names,
-    report_mismatch,
-    report_remarks,
-    report_unreadable,
-)
+from procc_annotator.cli.remarks import report_remarks, report_set, report_unreadable
 from procc_annotator.cli.set_fits import FittedFrames, fit_set, fit_sizes
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.database.database import WorkspaceDatabase
@@ -54,10 +49,7 @@ no dimensions: nothing is kept then.
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Examples:
-
-\b
+EXAMPLE = """\
   procc-annotator field-size match/ --save
   procc-annotator field-size annotations/ --groups matches.csv -t 2 -t 5
   procc-annotator field-size match/ --groups matches.csv --save
@@ -70,18 +62,15 @@ Dimension = Annotated[
         metavar="NAME", help="Dimension to fit; repeat for several.  [default: length, width]"
     ),
 ]
-Model = Annotated[
-    str, typer.Option("--model", "-m", metavar="P|R|R+|R2|F|auto", help="Camera of each frame.")
-]
 Save = Annotated[bool, typer.Option("--save", help="Keep the dimensions with the dataset.")]
 
 
 def field_size(
     dataset: options.AnnotatedSet,
-    shown: options.FieldOptions,
+    field_options: options.FieldOptions,
     groups: options.Groups = None,
     dimension: Dimension = None,
-    model: Model = "R",
+    model: options.PosedModel = "R",
     save: Save = False,
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
@@ -90,7 +79,7 @@ def field_size(
     dask: options.Dask = None,
 ) -> None:
     require_known_model(model)
-    field = shown.of(dataset)
+    field = field_options.of(dataset)
     setup = options.setup_for(field, size, protocol, "left_out", mirrored=False)
     names = fittable_dimensions(field, dimension)
     thresholds = options.thresholds_or_default(threshold)
@@ -98,9 +87,8 @@ def field_size(
     kept_in = _workspace_of(dataset) if save else None
     if kept_in is not None and groups is not None:
         _kept_stadiums(kept_in, field)  # said before anything is fitted
-    with open_annotations(place, field, shown.names(field)) as source:
-        report_mismatch(source, field)
-        report_camera_names(source)
+    with open_annotations(place, field, field_options.names(field)) as source:
+        report_set(source, field)
         sizes = fit_sizes(source, place, dataset, size)
         fitted = fit_set(source, dataset, setup, sizes, model, groups, workers, dask)
     with progress_bar("field size") as progress:

@@ -27,10 +27,7 @@ evenly spaced ranks of their mean JaC over the methods, from the worst to the be
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator figure match/ figure.pdf --cameras ours=run1/ --cameras theirs=run2/
   procc-annotator figure match/ figure.svg --cameras run1/ --frame 00012 --frame 00047
 """

@@ -31,10 +31,7 @@ Exit code: 0; 1 if some cameras were unreadable (listed); 2 if there was nothing
 has a place.
 """
 
-EXAMPLE = """
-Examples:
-
-\b
+EXAMPLE = """\
   procc-annotator ground tracks.csv --cameras cameras/ --output positions.csv
   procc-annotator ground gt.txt --cameras cameras/ --pixel-sd 2 --axes up --output positions.csv
   procc-annotator ground positions.csv --cameras cameras/ --to-pixels

@@ -21,7 +21,7 @@ from procc_annotator.batch.grouping import (
     clusters_of,
 )
 from procc_annotator.batch.strata import DERIVED
-from procc_annotator.cli.outputs import each_once
+from procc_annotator.cli.outputs import output_files
 from procc_annotator.dataset.layout import FRAMES_FILE, folder_of_dataset
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.file_source import read_file
@@ -184,8 +184,9 @@ def temporal_request(
             raise UsageError("--shots, --pictures and --over-time-output need --over-time")
         return None
     from procc_annotator.cli.temporal import TemporalRequest  # loads decoding and motion
+    from procc_annotator.report.temporal import check_suffix
 
-    return TemporalRequest(shots, pictures, each_once(output or ()))
+    return TemporalRequest(shots, pictures, output_files(output, check_suffix))
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ import typer
 from typer.core import TyperCommand, TyperGroup
 from typer.main import get_command
 
-from procc_annotator.cli.echo import echo
+from procc_annotator.cli.echo import echo, example_epilog
 from procc_annotator.error_log import install_handlers, log_path
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.version import __version__
@@ -140,7 +140,9 @@ class LazyCommand(TyperCommand):
             return command
         alone = typer.Typer(add_completion=False, rich_markup_mode=None)
         text = f"{self.help}\n\n{module.HELP}"
-        alone.command(self.name, help=text, epilog=module.EXAMPLE)(with_options(chosen))
+        alone.command(self.name, help=text, epilog=example_epilog(module.EXAMPLE))(
+            with_options(chosen)
+        )
         return get_command(alone)
 
     def make_context(
@@ -161,10 +163,7 @@ class LazyCommand(TyperCommand):
         return new + equals + value
 
 
-EXAMPLES = """
-Examples:
-
-\b
+EXAMPLES = """\
   procc-annotator                        open the window
   procc-annotator match/                 ... on a folder of pictures
   procc-annotator evaluate annotations/ cameras/ --threshold 5
@@ -265,7 +264,8 @@ class CommandOrPath(TyperGroup):
             echo(f"procc-annotator: {error}", err=True)
             raise typer.Exit(2) from error
         except KeyboardInterrupt as error:
-            echo(f"procc-annotator: interrupted{_interrupted_message(error)}", err=True)
+            said = f": {error}" if str(error) else ""  # what the command said of its work
+            echo(f"procc-annotator: interrupted{said}", err=True)
             raise typer.Exit(INTERRUPTED) from error
         except BrokenPipeError as error:
             # Who reads our output has seen enough (``| head``): end as other programs do.
@@ -297,17 +297,11 @@ def _is_of_qt(error: ImportError) -> bool:
     return "PySide6" in f"{error.name} {error.path}" or "shiboken6" in f"{error.name} {error.path}"
 
 
-def _interrupted_message(stopped: KeyboardInterrupt) -> str:
-    """Return what a command that was stopped said of its work: the interrupt's text, if it has
-    one."""
-    return f": {stopped}" if str(stopped) else ""
-
-
 app = typer.Typer(
     name="procc-annotator",
     cls=CommandOrPath,
     help="Annotate and audit the calibration of sports cameras.",
-    epilog=EXAMPLES,
+    epilog=example_epilog(EXAMPLES),
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},

@@ -138,10 +138,7 @@ says otherwise), one element is annotated in a copy of a picture, saved and read
 window closes. Exit code: 0 if all went well, 2 if not. No setting and no file of yours is changed.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator open match/ --cameras predictions/
 
   procc-annotator open match/ --field basketball_fiba

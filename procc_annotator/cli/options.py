@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path, PurePosixPath
-from typing import Annotated
+from typing import Annotated, TypeVar, cast
 
 import typer
 
@@ -26,7 +26,8 @@ from procc_annotator.formats.annotations.label_map import LabelMap, read_label_m
 from procc_annotator.formats.file_source import ZipSource
 from procc_annotator.image.headers import is_valid_size
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
-from procc_annotator.report.outputs import is_archive
+
+T = TypeVar("T")
 
 AUTO_ASPECT = "auto"
 CAMERA_FORMAT_NAMES = (
@@ -191,16 +192,11 @@ def parse_size(text: str) -> tuple[int, int]:
     return size
 
 
-def checked_size(text: str | None) -> str | None:
-    if text is not None:
+def checked_size(given: T) -> T:
+    """The size or sizes of an option, or None; see `parse_size`."""
+    for text in [given] if isinstance(given, str) else cast(list[str] | None, given) or ():
         parse_size(text)
-    return text
-
-
-def _checked_sizes(texts: list[str] | None) -> list[str] | None:
-    for text in texts or ():
-        parse_size(text)
-    return texts
+    return given
 
 
 def _checked_lines(text: str | None) -> str | None:
@@ -249,7 +245,7 @@ Sizes = Annotated[
     typer.Option(
         "--size",
         metavar="WxH",
-        callback=_checked_sizes,
+        callback=checked_size,
         help="Picture size at which everything is compared; repeat for several."
         "  [default: 960x540]",
     ),
@@ -290,6 +286,20 @@ KeepOptional = Annotated[
         help="Write elements, too, that SoccerNet has no class for (marks, landmarks).",
     ),
 ]
+Model = Annotated[
+    str,
+    typer.Option(
+        "--model", "-m", metavar="H|P|R|R+|R2|F|auto", help="Camera to fit to each frame."
+    ),
+]
+PosedModel = Annotated[
+    str,
+    typer.Option("--model", "-m", metavar="P|R|R+|R2|F|auto", help="Camera to fit to each frame."),
+]
+PicturesOrVideo = Annotated[
+    Path, typer.Argument(help="Folder of pictures, one picture, or a video.")
+]
+Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
 Resume = Annotated[
     bool,
     typer.Option("--resume", help="Go on where a run in the same words was stopped; else begin."),
@@ -484,33 +494,3 @@ class ScoringOptions(FieldOptions):
     def own_size(self) -> tuple[int, int] | None:
         """(width, height) px that cameras refer to, where their files do not say."""
         return shown_size(self.camera_size)
-
-
-def is_resuming(left: Path, table: Path, out: Path, *, resume: bool, overwrite: bool) -> bool:
-    """Return whether a run goes on with what another one left.
-
-    Args:
-        left: see `procc_annotator.batch.checkpoint.unfinished_file`.
-        table: what is written last; an archive is written as a whole.
-        out: of the command.
-
-    Raises:
-        UsageError: both was asked for; or neither, and a person's work would be lost.
-        typer.Exit: a run was finished here, nothing is to be gone on with.
-    """
-    if resume and overwrite:
-        raise UsageError("--resume goes on and --overwrite begins anew: give one of them")
-    if not left.exists():
-        done = out if is_archive(out) else table
-        if resume and done.exists():
-            echo(
-                f"{out}: already complete: {done.name} is there and no run was stopped here;"
-                " --overwrite begins anew, with other options for example"
-            )
-            raise typer.Exit
-        return False
-    if not resume and not overwrite:
-        raise UsageError(
-            f"{out}: a run was stopped here; --resume goes on with it, --overwrite begins anew"
-        )
-    return resume

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
@@ -28,17 +28,14 @@ if TYPE_CHECKING:
 _LOOKED_INTO = 20
 
 
-def each_once(paths: Iterable[Path]) -> list[Path]:
-    """Output files that were asked for, in order; one that is named twice is written once."""
-    return list({os.path.abspath(path): path for path in paths}.values())
-
-
-def figure_files(paths: Iterable[Path] | None) -> list[Path]:
-    """The files that figures go to, each once; UsageError for one that is neither ``.json`` nor
-    ``.csv``, or cannot be written where it is named."""
-    files = each_once(paths or ())
+def output_files(
+    paths: Iterable[Path] | None, check_suffix: Callable[[Path], object] = score_format
+) -> list[Path]:
+    """The files that are written, one that is named twice once; UsageError for one of another
+    suffix (usually ``.json`` and ``.csv``), or that cannot be written where it is named."""
+    files = list({os.path.abspath(path): path for path in paths or ()}.values())
     for path in files:
-        score_format(path)
+        check_suffix(path)
         check_output_folder(path)
     return files
 

@@ -17,13 +17,14 @@ from procc_annotator.batch.camera_proposals import (
     chosen_proposer,
     read_positions,
 )
-from procc_annotator.batch.checkpoint import Checkpoint, checkpoint_path, field_settings
+from procc_annotator.batch.checkpoint import checkpoint_path, field_settings
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.calibration.single_image.probability import POSSIBLE_FROM, SURE_FROM
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
+from procc_annotator.cli.resuming import is_resuming, resumable
 from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.sequence import open_pictures
@@ -40,7 +41,6 @@ from procc_annotator.report.camera_proposals import (
     proposed_words,
     states_table,
 )
-from procc_annotator.report.outputs import Interrupted
 
 HELP = """\
 DATASET is a folder of pictures, one picture, or a video, whose frames are named as the window names
@@ -69,10 +69,7 @@ Exit code: 0; 1 if some pictures or annotations were unreadable (listed); 2 if t
 do. A frame without a camera is no error.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator propose match/ proposed/
   procc-annotator propose match.mp4 proposed/ --every 25 --known-positions fitted/positions.csv
 """
@@ -81,7 +78,6 @@ Example:
 _WORTH_WORKERS = 8
 
 Out = Annotated[Path, typer.Argument(help="Folder to write the cameras to.")]
-Source = Annotated[Path, typer.Argument(help="Folder of pictures, one picture, or a video.")]
 Known = Annotated[
     Path | None,
     typer.Option(
@@ -109,7 +105,6 @@ SureFrom = Annotated[
     ),
 ]
 All = Annotated[bool, typer.Option("--all", help="Also frames that are annotated.")]
-Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
 Workers = Annotated[
     int | None,
     typer.Option(
@@ -120,29 +115,26 @@ Workers = Annotated[
         " CPU]",
     ),
 ]
-Overwrite = Annotated[
-    bool, typer.Option("--overwrite", help="Replace cameras of OUT that are there.")
-]
 
 
 @dataclass(frozen=True, kw_only=True)
 class ProposeOptions:
     """Options of `propose`."""
 
-    dataset: Source
+    dataset: options.PicturesOrVideo
     out: Out
     known: Known = None
     every_frame: All = False
-    every: Every = 1
+    every: options.Every = 1
     detector: With = None
     sure_from: SureFrom = SURE_FROM
     annotations: input_files.Annotations = None
-    shown: options.PictureFieldOptions
+    field_options: options.PictureFieldOptions
     camera_format: options.CameraFormat = "auto"
     workers: Workers = None
     dask: options.Dask = None
     resume: options.Resume = False
-    overwrite: Overwrite = False
+    overwrite: options.Overwrite = False
 
 
 def propose(given: ProposeOptions) -> None:
@@ -151,12 +143,12 @@ def propose(given: ProposeOptions) -> None:
             raise UsageError(f"{place}: does not exist")
     if given.detector is not None:
         chosen_proposer(given.detector)
-    shown = given.shown.of(given.dataset)
-    names = given.shown.names(shown)
+    shown = given.field_options.of(given.dataset)
+    names = given.field_options.names(shown)
     pictures = open_pictures(given.dataset, given.annotations)
     remarks.report_remarks(pictures.notices)
     left = checkpoint_path(given.out, "propose")
-    going_on = options.is_resuming(
+    going_on = is_resuming(
         left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
     )
     outputs.check_camera_folder(given.out, [pictures.path, given.known])
@@ -182,18 +174,14 @@ def propose(given: ProposeOptions) -> None:
         "sure from": str(given.sure_from),
         "field": field_settings(shown),
     }
-    try:
-        with (
-            Checkpoint(left, asked, resume=going_on) as kept,
-            make_executor(
-                given.workers, given.dask, frames=run.total, worth_from=_WORTH_WORKERS
-            ) as executor,
-        ):
-            run.executor, run.kept = executor, kept
-            found = propose_for_set(run, given.out, with_progress)
-            kept.finish()
-    except Interrupted as stopped:
-        raise KeyboardInterrupt(_interrupted_message(stopped, given.out)) from None
+    with (
+        resumable(left, asked, given.out, TABLE_FILE, "sure camera", resume=going_on) as kept,
+        make_executor(
+            given.workers, given.dask, frames=run.total, worth_from=_WORTH_WORKERS
+        ) as executor,
+    ):
+        run.executor, run.kept = executor, kept
+        found = propose_for_set(run, given.out, with_progress)
     raise typer.Exit(_report(found, wanted, pictures.problems, given.out))
 
 
@@ -241,17 +229,6 @@ def _frames_to_propose(
         remarks.report_unreadable(damaged)
         raise UsageError("nothing to do: all frames are annotated (--all looks at them too)")
     return _FramesToPropose(chosen, len(frames) - len(chosen) - len(damaged), tuple(damaged))
-
-
-def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    go_on = "run it again with --resume to go on"
-    if not stopped.written:
-        return f"no sure camera was written; {go_on}"
-    return (
-        f"{pluralize(stopped.written, 'sure camera')} of {pluralize(stopped.total, 'frame')}"
-        " written"
-        f" to {out}, {TABLE_FILE} not; {go_on}"
-    )
 
 
 def _report(

@@ -41,10 +41,7 @@ folder, where every command finds it.
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator propose-map task/annotations.xml --field tennis
   procc-annotator check task/annotations.xml --field tennis --map labels.toml
 """

@@ -67,10 +67,7 @@ ignored, a dataset card (README.md, with the header that dataset hubs read), Cro
 Exit code: 0; 1 if some files were left out (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator release match/ match-1.1/ --version 1.1 --licence CC-BY-4.0 \\
       --splits splits.csv --second-annotator second/ --previous match-1.0/
 """

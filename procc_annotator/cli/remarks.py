@@ -43,10 +43,13 @@ def report_mismatch(source: FileSource, field: Field, of: str = "") -> Mismatch 
     return report_mismatch_of(classes_of_source(source, field), field, source.path, of, unknown)
 
 
-def report_camera_names(source: FileSource, of: str = "") -> None:
-    """One line on stderr where pictures bear a camera's name, so that a set lacks their frames."""
+def report_set(source: FileSource, field: Field, of: str = "") -> Mismatch | None:
+    """As `report_mismatch`; and one line on stderr where pictures bear a camera's name, so that the
+    set lacks their frames."""
+    mismatch = report_mismatch(source, field, of)
     if remark := camera_name_remark_in(source.path):
         echo(f"note: {of}{remark}", err=True)
+    return mismatch
 
 
 def report_mismatch_of(

@@ -42,10 +42,7 @@ that are there already are replaced only with --overwrite, or after a run that w
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator render match/ overlays/ --cameras predictions/ --threshold 5
   procc-annotator render match/ figures/ --format svg --scale 2 --legend
   procc-annotator render match.mp4 overlay.mp4 --cameras tracked/

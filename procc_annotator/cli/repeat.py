@@ -31,10 +31,7 @@ file, other content, a file that the manifest does not know, another field, anot
 Exit code: 0 if nothing differs; 1 if something does; 2 if it cannot be repeated.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator evaluate wc14/annotations wc14/cameras_pnlcalib --manifest wc14.json
   procc-annotator repeat wc14.json --data downloads/wc14
 """

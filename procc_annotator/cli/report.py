@@ -56,10 +56,7 @@ paper to .tex. Repeat --output for several files.
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator report match/ --cameras ours=run1/ --cameras carwc:carwc=homographies/ \\
       --disagreement ours,carwc --output report.html --output table.tex
 """
@@ -243,11 +240,7 @@ def _outputs(cameras: list[str] | None, output: list[Path] | None) -> list[Path]
         raise UsageError(
             f"{_USUAL}: is there already, and no report wrote it; name a file with --output"
         )
-    written_to = output or [_USUAL]
-    for path in written_to:
-        report_kind(path)
-        outputs.check_output_folder(path)
-    return written_to
+    return outputs.output_files(output or [_USUAL], report_kind)
 
 
 def _frame_cost(request: ReportRequest, sources: int) -> int:

@@ -17,7 +17,6 @@ from procc_annotator.batch.grouping import (
     shots_from,
 )
 from procc_annotator.batch.set_run import annotations_for
-from procc_annotator.cli import outputs
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.remarks import report_remarks
@@ -28,7 +27,6 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.report.temporal import (
     TemporalMetrics,
-    check_suffix,
     measure_over_time,
     over_time_bytes,
     over_time_entries,
@@ -51,11 +49,6 @@ class TemporalRequest:
     shots: Path | None
     pictures: Path | None
     written_to: Sequence[Path]
-
-    def __post_init__(self) -> None:
-        for path in self.written_to:
-            check_suffix(path)
-            outputs.check_output_folder(path)
 
     def run(
         self, evaluations: Sequence[EvaluationRequest], threshold: float, executor: Executor

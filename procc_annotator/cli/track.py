@@ -61,10 +61,7 @@ Exit code: 0; 1 if some pictures, annotations or cameras were unreadable (listed
 nothing to do. A frame that is lost is no error.
 """
 
-EXAMPLE = """
-Example:
-
-\b
+EXAMPLE = """\
   procc-annotator track match.mp4 tracked/
   procc-annotator track match.mp4 tracked/ --annotations match_frames/ --from match_000123
 """
@@ -101,7 +98,7 @@ Overwrite = Annotated[
 def track(
     source: Source,
     out: Out,
-    of_field: options.PictureFieldOptions,
+    field_options: options.PictureFieldOptions,
     annotations: Annotations = None,
     cameras: Cameras = None,
     begin: From = None,
@@ -113,8 +110,8 @@ def track(
     for given in (annotations, cameras):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
-    shown = of_field.of(source)
-    names = of_field.names(shown)
+    shown = field_options.of(source)
+    names = field_options.names(shown)
     pictures = open_pictures(source, annotations)
     remarks.report_remarks(pictures.notices)
     shown = options.with_estimated_pixels(

@@ -105,10 +105,6 @@ Output = Annotated[
         "  [default: landmarks.json in the dataset's folder]",
     ),
 ]
-Model = Annotated[
-    str,
-    typer.Option("--model", "-m", metavar="P|R|R+|R2|F|auto", help="Camera to fit to each frame."),
-]
 
 
 def check_values(model: str, click_px: float | None) -> None:
@@ -259,10 +255,7 @@ Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was not
 landmark without a position is listed with the reason and is no error.
 """
 
-EXAMPLE = """
-Examples:
-
-\b
+EXAMPLE = """\
   procc-annotator triangulate match/ --cameras match/cameras/
   procc-annotator triangulate match/ --pattern '{instant}_{view}' --moving Ball
   procc-annotator triangulate match/ --surveyed 'Floodlight NE=61.2,-45.0,-28.4'
@@ -271,14 +264,14 @@ Examples:
 
 def triangulate(
     dataset: options.AnnotatedSet,
-    of_field: options.FieldOptions,
+    field_options: options.FieldOptions,
     cameras: Cameras = None,
     views: ViewsFile = None,
     pattern: Pattern = None,
     moving: Moving = None,
     surveyed: Surveyed = None,
     output: Output = None,
-    model: Model = "R",
+    model: options.PosedModel = "R",
     click_px: ClickPx = None,
     size: options.FitSize = None,
     camera_format: options.CameraFormat = "auto",
@@ -288,11 +281,11 @@ def triangulate(
     place = annotations_of(dataset)
     target = target_file(dataset, output)
     known, groups = read_dataset_landmarks(dataset)
-    shown = of_field.of(dataset)
+    shown = field_options.of(dataset)
     known = add_surveyed(known, surveyed or (), shown)
     named = named_in_options(surveyed or (), moving or (), shown)
     shown = with_landmarks(shown, known.landmarks)
-    with open_annotations(place, shown, of_field.names(shown)) as source:
+    with open_annotations(place, shown, field_options.names(shown)) as source:
         remarks.report_remarks(list_annotations(source).notices)
         _refuse_classes_of_another_field(source, shown)
         groups = chosen_view_groups(groups, source, views, pattern)

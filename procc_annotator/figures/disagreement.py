@@ -6,14 +6,14 @@ import itertools
 import math
 from typing import Any
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.errors import SaveError, printable
+from procc_annotator.errors import printable
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.figures.overlay import (
+    encode_picture,
     figure_file,
     figure_pixels,
     figure_style,
@@ -66,10 +66,7 @@ class DisagreementPainter:
             if self._suffix in (".svg", ".pdf"):
                 return figure_file(figure, self._suffix)
             drawn = figure_pixels(figure)
-        done, encoded = cv2.imencode(self._suffix, drawn[:, :, :3])
-        if not done:
-            raise SaveError(f"{scene.compared.name}: the picture cannot be encoded")
-        return encoded.tobytes()
+        return encode_picture(drawn, self._suffix, scene.compared.name)
 
 
 def _background(scene: ComparisonScene) -> PixelArray:

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 _DPI = 100.0
 _FONT_PIXELS, _GAP = 12.0, 9.0  # points of the overlay
 _RIM, _PLATE = "#202020", "#141414"
-_MARKERS = {"dot": "o", "ring": "o", "handle": "s", "cross": "x"}
+MARKERS = {"dot": "o", "ring": "o", "handle": "s", "cross": "x"}
 _SETTINGS: Any = {
     "lines.scale_dashes": False,
     "text.parse_math": False,  # titles come from files: a dollar sign in one is no formula
@@ -102,6 +102,16 @@ def resized(pixels: NDArray[np.uint8], scale: float) -> NDArray[np.uint8]:
         return pixels
     method = cv2.INTER_AREA if scale < 1 else cv2.INTER_CUBIC
     return np.asarray(cv2.resize(pixels, (width, height), interpolation=method), np.uint8)
+
+
+def encode_picture(
+    pixels: NDArray[np.uint8], suffix: str, title: str, settings: Sequence[int] = ()
+) -> bytes:
+    """(H, W, 3 or 4) BGR(A) as a file's content, without alpha; SaveError if that cannot be."""
+    done, encoded = cv2.imencode(suffix, pixels[:, :, :3], settings)
+    if not done:
+        raise SaveError(f"{title}: the picture cannot be encoded as {suffix}")
+    return encoded.tobytes()
 
 
 def figure_style() -> Any:
@@ -190,7 +200,7 @@ def _draw_strokes(axes: Any, strokes: Strokes, scale: float, point: float) -> No
 
 def _draw_marks(axes: Any, marks: PointMarks, scale: float, point: float) -> None:
     at = (marks.centres + 0.5) * scale
-    marker, size = _MARKERS.get(marks.shape, "o"), (marks.size * point) ** 2
+    marker, size = MARKERS.get(marks.shape, "o"), (marks.size * point) ** 2
     if marks.shape in ("cross", "ring"):
         rim = 3.5 if marks.shape == "cross" else 3.0
         for colour, width in ((_RIM, rim), (marks.colour, rim / 2)):
@@ -239,10 +249,7 @@ class PlainPictures:
         drawn = self._drawn(scene, svg=self._suffix == ".svg")
         if isinstance(drawn, bytes):
             return drawn
-        done, encoded = cv2.imencode(self._suffix, drawn[:, :, :3])
-        if not done:
-            raise SaveError(f"{scene.title}: the overlay cannot be encoded as {self._suffix}")
-        return encoded.tobytes()
+        return encode_picture(drawn, self._suffix, scene.title)
 
     def pixels(self, scene: Scene) -> PixelArray:
         drawn = self._drawn(scene, svg=False)

@@ -10,6 +10,7 @@ from matplotlib.patheffects import withStroke
 
 from procc_annotator.errors import printable
 from procc_annotator.figures.overlay import (
+    MARKERS,
     draw_picture,
     figure_file,
     figure_style,
@@ -30,7 +31,6 @@ _ENTRY = 240.0  # px of an entry of the legend
 _POINTS_WIDE = 420.0  # points of an overlay in the width of a cell: half the picture on screen
 _SHARPEST_PX_PER_INCH = 300.0
 _RIM = withStroke(linewidth=2.2, foreground=palette.OUTLINE)  # white lines on white paper
-_MARKERS = {"dot": "o", "ring": "o", "handle": "s", "cross": "x"}
 
 
 def qualitative_figure(
@@ -129,7 +129,7 @@ def _handle(entry: LegendEntry) -> Line2D:
     if entry.mark is not None:
         hollow = entry.mark.shape == "ring"
         style |= {
-            "marker": _MARKERS.get(entry.mark.shape, "o"), "markersize": 4,
+            "marker": MARKERS.get(entry.mark.shape, "o"), "markersize": 4,
             "markeredgecolor": entry.mark.colour,
             "markerfacecolor": "none" if hollow else entry.mark.colour,
         }  # fmt: skip

@@ -131,26 +131,6 @@ def test_mirrored_labels_are_a_hint(cli, dataset, other):
     assert done.stdout.count("mirrored?") == 2
 
 
-def test_requests_that_make_no_sense_are_one_line(cli, dataset, other, tmp_path):
-    empty = tmp_path / "empty"
-    empty.mkdir()
-    pair = (dataset.annotations, other)
-    inside = other / "1.json"
-    for arguments, words in (
-        ((dataset.annotations, empty), "nothing to do: no annotation"),
-        ((dataset.annotations, tmp_path / "none"), "no such file or folder"),
-        ((*pair, "-t", "-1"), "a threshold must be a positive number"),
-        ((*pair, "-o", tmp_path / "out.txt"), "written as .json or .csv"),
-        ((*pair, "-o", inside / "none" / "out.csv"), "is a file, expected a folder"),
-        ((*pair, "-o", inside), "is one of the files to be read"),
-        ((*pair, "--field", "tennis-court"), "tennis-court"),
-    ):
-        done = cli("agree", *arguments, code=2)
-        assert done.stdout == ""
-        (line,) = done.stderr.splitlines()
-        assert words in line
-
-
 def test_where_nothing_can_be_read_no_file_is_written(cli, dataset, other, tmp_path):
     for path in other.iterdir():
         path.write_text("{")

@@ -93,33 +93,6 @@ def test_the_exit_code_can_depend_on_what_was_found(cli, dataset):
     cli("check", dataset.root, "--fail-on", "error", code=1)
 
 
-@pytest.mark.parametrize(
-    ("arguments", "message"),
-    [
-        (["--model", "Q"], "choose one of H, P, R, R+"),
-        (["--min-severity", "fatal"], "choose one of error, warning, hint"),
-        (["--fail-on", "x"], "choose one of error, warning, hint"),
-        (["--output", "findings.txt"], ".csv or .json"),
-        (
-            ["--output", "/dev/null/findings.csv"],
-            "cannot be made: /dev/null is a file, expected a folder",
-        ),
-    ],
-)
-def test_requests_that_make_no_sense(cli, dataset, arguments, message):
-    done = cli("check", dataset.root, *arguments, code=2)
-    assert message in done.stderr
-
-
-def test_nothing_is_written_over_what_is_read(cli, dataset, tmp_path):
-    before = {p: p.read_bytes() for p in dataset.annotations.iterdir()}
-    cli("check", dataset.root, "-o", dataset.annotations / "1.json", code=2)
-    cli("check", dataset.root, "-o", dataset.annotations / "found.json", code=2)
-    assert {p: p.read_bytes() for p in dataset.annotations.iterdir()} == before
-    (tmp_path / "empty").mkdir()
-    assert "nothing to do" in cli("check", tmp_path / "empty", code=2).stderr
-
-
 def test_names_cannot_become_formulas(cli, dataset, tmp_path):
     swap(dataset.annotations, "1", FRONT, SMALL)
     (dataset.annotations / "1.json").rename(dataset.annotations / "=1+1.json")

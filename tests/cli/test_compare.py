@@ -113,28 +113,6 @@ def test_a_damaged_camera_is_listed_and_the_rest_compared(cli, dataset, other, t
     assert rows["2"]["metres_median"] == ""
 
 
-@pytest.mark.parametrize(
-    ("change", "said"),
-    [
-        (lambda d, o: (d.cameras, o.parent / "nothing"), "does not exist"),
-        (lambda d, o: (d.cameras, d.cameras), "two sources of cameras are called 'cameras'"),
-        (lambda d, o: (d.cameras, f"b:wc14={o}"), "b has no camera (format wc14)"),
-    ],
-)
-def test_a_request_that_makes_no_sense_is_refused(cli, dataset, other, change, said):
-    done = cli("compare", *change(dataset, other), code=2)
-    assert said in done.stderr
-
-
-def test_sources_without_a_frame_in_common_are_refused(cli, dataset, other, tmp_path):
-    for path in list(other.iterdir()):
-        path.rename(other / path.name.replace("camera_", "camera_x"))
-    done = cli("compare", dataset.cameras, other, code=2)
-    assert "no frame has cameras of both" in done.stderr
-    done = cli("compare", dataset.cameras, other, "-o", tmp_path / "out.txt", code=2)
-    assert ".json or .csv" in done.stderr
-
-
 # -------------------------------------------------------------------------------------- pictures
 
 
@@ -199,39 +177,6 @@ def test_a_damaged_picture_is_listed(cli, dataset, other, tmp_path):
     assert "2.jpg" in done.stderr
 
 
-def test_pictures_of_the_dataset_are_never_replaced(cli, dataset, other):
-    before = {p: p.read_bytes() for p in dataset.root.glob("*.jpg")}
-    done = cli("compare", dataset.cameras, other, dataset.root, "--pictures", dataset.root, code=2)
-    assert "this is the dataset itself" in done.stderr
-    assert {p: p.read_bytes() for p in dataset.root.glob("*.jpg")} == before
-
-
-@pytest.mark.parametrize("which", ["a", "b", "dataset", "alias", "new"])
-def test_outputs_never_replace_what_is_read(cli, dataset, other, tmp_path, which):
-    alias = tmp_path / "alias.json"
-    alias.symlink_to(dataset.cameras / "camera_1.json")
-    out = {
-        "a": dataset.cameras / "camera_1.json",
-        "b": other / "camera_1.json",
-        "dataset": dataset.annotations / "1.json",
-        "alias": alias,
-        "new": other / "compared.json",  # would be a camera the next time
-    }[which]
-    before = {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()}
-    done = cli("compare", dataset.cameras, other, dataset.root, "-o", out, code=2)
-    assert "to be read" in done.stderr
-    assert {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()} == before
-
-
-@pytest.mark.parametrize("where", ["cameras", "other", "annotations"])
-def test_pictures_are_not_drawn_among_what_is_read(cli, dataset, other, where):
-    before = set(dataset.root.rglob("*"))
-    out = dataset.root / where
-    done = cli("compare", dataset.cameras, other, dataset.root, "--pictures", out, code=2)
-    assert "holds the files to be read" in done.stderr
-    assert set(dataset.root.rglob("*")) == before
-
-
 # ------------------------------------------------------------------------------------- real data
 
 
@@ -267,13 +212,6 @@ def test_requests_that_make_no_sense_are_refused_before_the_work(
     for place, why in ((tmp_path / "file", "is a file"), (dataset.root, "is the dataset itself")):
         done = cli(*given, "--pictures", place, code=2)
         assert why in done.stderr
-
-
-def test_options_of_chance_need_what_asks_for_it(cli, dataset, tmp_path):
-    (tmp_path / "t.csv").write_text("frame,day\n1,a\n")
-    for option in (("--tags", tmp_path / "t.csv"), ("--seed", 3)):
-        done = cli("compare", f"a={dataset.cameras}", f"b={dataset.cameras}", *option, code=2)
-        assert "need --intervals" in done.stderr
 
 
 def test_cameras_in_a_dataset_of_another_sport_are_told(cli, sample_data):
@@ -347,12 +285,3 @@ def test_of_three_sources_the_nearer_one_is_told_where_frames_are_enough(
         assert rows[figure]["nearer"] == "near", figure
         assert rows[figure]["frames"] == 24
     assert "clusters by day" in content["notes"][0]
-
-
-def test_a_third_source_that_shares_no_frame_is_one_line(cli, dataset, other, tmp_path):
-    third = tmp_path / "third"
-    third.mkdir()
-    (third / "camera_77.json").write_text(json.dumps(camera_file(0.0)))
-    done = cli("compare", dataset.cameras, other, "--versus", third, code=2)
-    (line,) = done.stderr.splitlines()
-    assert "no frame has cameras of both" in line

@@ -121,38 +121,6 @@ def test_one_unreadable_file_is_listed_and_the_rest_written(cli, dataset, tmp_pa
     assert "Middle line[0]" in line
 
 
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (lambda d, t: [d.root, d.root, "--to", "labelme"], "lies in what is read"),
-        (lambda d, t: [d.root, d.root / "masks", "--to", "masks"], "lies in what is read"),
-        (
-            lambda d, t: [d.root, t / "foo.xml", "--to", "coco"],
-            "expected a name that ends in .json",
-        ),
-        (
-            lambda d, t: [d.root, t / "foo.json", "--to", "cvat"],
-            "expected a name that ends in .xml",
-        ),
-        (lambda d, t: [d.root, t / "x", "--to", "paint"], "no format 'paint'"),
-        (lambda d, t: [d.root, t / "x", "--to", "cvat", "--from", "masks"], "only be written"),
-        (lambda d, t: [d.root, t / "x", "--to", "cvat", "--from", "nothing"], "no annotation fo"),
-        (lambda d, t: [t / "gone", t / "x", "--to", "cvat"], "no such file or folder"),
-        (lambda d, t: [d.cameras, t / "x", "--to", "cvat"], "nothing to do"),
-        (lambda d, t: [d.root, t / "x", "--to", "masks", "--line-width", "0"], "line width"),
-        (lambda d, t: [d.root, t / "x", "--to", "labelme", "--split", "../up"], "name of a folder"),
-        (lambda d, t: [d.root, t / "x", "--to", "cvat", "--into", t / "a"], "written into"),
-    ],
-)
-def test_requests_that_make_no_sense(cli, dataset, tmp_path, arguments, said):
-    before = contents(dataset.root)
-    done = cli("convert", *arguments(dataset, tmp_path), code=2)
-    assert said in done.stderr
-    assert len(done.stderr.strip().splitlines()) == 1
-    assert contents(dataset.root) == before
-    assert not (tmp_path / "x").exists()
-
-
 def test_inputs_are_never_overwritten_even_when_asked(cli, dataset, tmp_path):
     cvat = dataset.root / "annotations.xml"
     cli("convert", dataset.annotations, cvat, "--to", "cvat")

@@ -178,53 +178,6 @@ def test_homographies_say_how_goals_count(cli, dataset, tmp_path):
         assert load(out)["off_plane"] == choice
 
 
-@pytest.mark.parametrize(
-    ("arguments", "says"),
-    [
-        (["--protocol", "sokkernet"], "soccernet"),
-        (["--size", "960"], "WIDTHxHEIGHT"),
-        (["--threshold", "0"], "positive"),
-        (["--threshold", "nan"], "positive"),
-        (["--mirrored"], "procc"),
-        (["--field", "cricket"], "cricket"),
-        (["--off-plane", "maybe"], "maybe"),
-        (["--camera-format", "fbx"], "fbx"),
-        (["--output", "scores.xlsx"], ".json or .csv"),
-        (["--output", "/dev/null/at/all/scores.json"], "/dev/null/at/all"),
-        (["--workers", "0"], "workers"),
-        (["--dask", "here"], "HOST:PORT"),
-        (["--dask", "tcp://localhost:1", "--workers", "2"], "give one of them"),
-        (["--size", "960x540", "--size", "wide"], "WIDTHxHEIGHT"),
-        (["--by", "stadium"], "--tags"),
-        (["--tags", "/nowhere/tags.csv"], "/nowhere/tags.csv"),
-        (["--set", "a=b"], "--set NAME=ANNOTATIONS"),
-        (["--cameras", "a=b"], "--cameras NAME=PATH"),
-    ],
-)
-def test_bad_usage_is_one_clear_line_and_2(cli, dataset, arguments, says):
-    done = cli("evaluate", *dataset.set_arguments, *arguments, code=2)
-    assert says in done.stderr
-    assert "Traceback" not in done.stderr
-    assert done.stdout == ""
-
-
-def test_nothing_to_do_is_2(cli, dataset, tmp_path):
-    empty = tmp_path / "empty"
-    empty.mkdir()
-    elsewhere = tmp_path / "elsewhere"
-    elsewhere.mkdir()
-    (elsewhere / "camera_00003.json").write_text(json.dumps(camera_file(0.0)))
-    for first, second, says in (
-        (empty, dataset.cameras, "no annotation"),
-        (dataset.annotations, empty, "no camera"),
-        (dataset.annotations, elsewhere, "'00003'"),
-        (tmp_path / "absent", dataset.cameras, "absent"),
-    ):
-        done = cli("evaluate", first, second, code=2)
-        assert len(done.stderr.splitlines()) == 1
-        assert says in done.stderr
-
-
 def test_all_annotations_unreadable_leaves_the_old_scores(cli, dataset, tmp_path):
     out = tmp_path / "out.json"
     out.write_text("old")
@@ -259,14 +212,6 @@ def test_figures_are_never_cut(cli, dataset, monkeypatch):
         assert sorted(re.findall(r"\d+\.\d+", narrow)) == figures
 
 
-def test_an_output_never_replaces_what_is_read(cli, dataset, tmp_path):
-    annotation = dataset.annotations / "1.json"
-    before = annotation.read_bytes()
-    done = cli("evaluate", *dataset.set_arguments, "-o", annotation, code=2)
-    assert "is one of the files to be read" in done.stderr
-    assert annotation.read_bytes() == before
-
-
 @pytest.mark.parametrize("full_at", ["output", "both"])
 def test_a_full_disk_takes_neither_the_figures_nor_the_other_output(
     cli, dataset, tmp_path, monkeypatch, full_at
@@ -293,14 +238,6 @@ def test_a_full_disk_takes_neither_the_figures_nor_the_other_output(
 def test_a_missing_file_of_tags_is_no_matter_of_permissions(cli, dataset, tmp_path):
     done = cli("evaluate", *dataset.set_arguments, "--tags", tmp_path / "nope.csv", code=2)
     assert "nope.csv: cannot be read: No such file or directory (check its name)" in done.stderr
-
-
-def test_a_table_never_replaces_the_tags(cli, dataset, tmp_path):
-    tags = tmp_path / "tags.csv"
-    tags.write_text("frame,stadium\n1,north\n")
-    done = cli("evaluate", *dataset.set_arguments, "--tags", tags, "-o", tags, code=2)
-    assert "is one of the files to be read" in done.stderr
-    assert tags.read_text() == "frame,stadium\n1,north\n"
 
 
 def test_cameras_of_another_size_are_doubted_until_it_is_named(cli, dataset, tmp_path):

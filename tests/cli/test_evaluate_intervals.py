@@ -54,14 +54,6 @@ def test_intervals_and_differences_are_printed_and_written(cli, methods):
     assert (methods / "again.json").read_bytes() == (methods / "out.json").read_bytes()
 
 
-@pytest.mark.parametrize(
-    "option", [("--interval-method", "bca"), ("--resamples", "500"), ("--seed", "3")]
-)
-def test_options_of_chance_need_what_asks_for_it(cli, methods, option):
-    done = cli("evaluate", *BOTH, *option, code=2)
-    assert "need --intervals" in done.stderr
-
-
 def test_a_single_method_has_intervals_alone(cli, methods):
     cli("evaluate", "annotations", "good", "--intervals", "--power", "-o", "out.json")
     assert list(chance(methods / "out.json"))[2:] == ["intervals", "power"]

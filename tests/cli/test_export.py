@@ -76,45 +76,6 @@ def test_unreadable_files_are_listed_and_the_rest_goes_on(cli, dataset, tmp_path
     assert (tmp_path / "out" / "3.json").exists()
 
 
-@pytest.mark.parametrize("where", ["root", "annotations"])
-def test_the_dataset_itself_is_never_the_target(cli, dataset, where):
-    before = {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()}
-    cli("export", dataset.root, getattr(dataset, where), code=2)
-    assert {p: p.read_bytes() for p in dataset.root.rglob("*") if p.is_file()} == before
-
-
-@pytest.mark.parametrize("archived", [False, True])
-def test_the_cameras_are_never_the_target(cli, dataset, tmp_path, archived):
-    cameras = dataset.cameras
-    if archived:
-        cameras = tmp_path / "cameras.zip"
-        with zipfile.ZipFile(cameras, "w") as archive:
-            for file in dataset.cameras.iterdir():
-                archive.write(file, file.name)
-    before = {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()}
-    done = cli("export", dataset.root, cameras, "--cameras", cameras, code=2)
-    assert "to be read" in done.stderr
-    assert {p: p.read_bytes() for p in tmp_path.rglob("*") if p.is_file()} == before
-
-
-def test_nothing_to_export_is_2(cli, dataset, tmp_path):
-    for source, cameras in (
-        (tmp_path / "absent", None),
-        (dataset.cameras, None),
-        (dataset.root, tmp_path / "absent"),
-    ):
-        chosen = [] if cameras is None else ["--cameras", cameras]
-        done = cli("export", source, tmp_path / "out", *chosen, code=2)
-        assert len(done.stderr.splitlines()) == 1
-
-
-def test_a_target_that_cannot_be_made_is_one_line(cli, dataset, tmp_path):
-    (tmp_path / "file").write_text("")
-    for name in ("file", "file/out", "file/out.zip"):
-        done = cli("export", dataset.root, tmp_path / name, code=2)
-        assert len(done.stderr.splitlines()) == 1
-
-
 def test_an_export_never_hides_the_dataset_it_comes_from(cli, dataset):
     """The folder annotations/ would be read instead of the files beside the pictures."""
     for file in dataset.annotations.iterdir():

@@ -43,7 +43,7 @@ def test_help_lists_the_commands_and_shows_examples(cli):
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_has_help_with_an_example(cli, name):
     done = cli(name, "--help")
-    example = done.stdout.split("Example:")[1]
+    example = done.stdout.split("Examples:")[1]
     assert f"procc-annotator {name} " in example
     options = typer.main.get_command(app).commands[name].load().params
     assert [option.name for option in options if not option.help] == []

@@ -238,22 +238,6 @@ def test_cameras_in_folders_of_out_are_not_replaced_either(cli, bare, pretend, t
         assert theirs.read_text() == "{}"
 
 
-def test_what_makes_no_sense(cli, dataset, tmp_path):
-    for wrong, said in (
-        ((tmp_path / "nowhere", tmp_path / "out"), "does not exist"),
-        ((dataset.root, tmp_path / "out"), "all frames are annotated"),
-        ((dataset.root, tmp_path / "out", "--known-positions", tmp_path / "no"), "does not exist"),
-        (
-            (dataset.root, dataset.cameras, "--known-positions", dataset.cameras),
-            "write to another folder",
-        ),
-        ((dataset.cameras, tmp_path / "out"), "no picture in"),
-    ):
-        done = cli("propose", *wrong, code=2)
-        assert said in done.stderr
-    assert not (tmp_path / "out").exists()
-
-
 def test_an_interrupted_run_says_what_is_there_and_goes_on(cli, bare, monkeypatch, fits, tmp_path):
     calls = []
 

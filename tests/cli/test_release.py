@@ -268,8 +268,6 @@ def test_the_same_release_is_the_same_bytes(cli, keep, tmp_path):
 
 
 def test_where_it_may_not_be_written(cli, keep, tmp_path):
-    inside = cli("release", keep, keep / "release", "--no-check", code=2)
-    assert "lies in what is read" in inside.output
     out = tmp_path / "release"
     made(cli, keep, out, "--no-check")
     again = cli("release", keep, out, "--no-check", code=2)

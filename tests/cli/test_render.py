@@ -81,27 +81,11 @@ def test_svg_at_a_scale_with_a_legend(cli, dataset, tmp_path):
     assert any("JaC@5 1.000" in text and "soccernet, 960x540" in text for text in texts)
 
 
-def test_a_scale_that_is_none(cli, dataset, tmp_path):
-    done = cli("render", dataset.root, tmp_path / "out", "--scale", 0, code=2)
-    assert "scale" in done.stderr
-
-
 def test_a_damaged_picture_is_listed(cli, dataset, tmp_path):
     (dataset.root / "2.jpg").write_bytes(b"not a picture")
     done = cli("render", dataset.root, tmp_path / "out", code=1)
     assert "4 pictures" in done.stdout
     assert "2.jpg" in done.stderr
-
-
-def test_pictures_of_the_dataset_are_never_replaced(cli, dataset):
-    cli("render", dataset.root, dataset.root, "--format", "jpg", code=2)
-
-
-def test_pictures_are_not_drawn_among_the_cameras(cli, dataset):
-    for folder in (dataset.cameras, dataset.annotations):
-        done = cli("render", dataset.root, folder, "--cameras", dataset.cameras, code=2)
-        assert "holds the files to be read" in done.stderr
-        assert not list(folder.glob("*.png"))
 
 
 def test_the_painted_width_is_drawn_on_demand(cli, dataset, tmp_path):

@@ -422,27 +422,6 @@ def test_an_empty_frame_and_a_damaged_annotation(damaged):
     assert "4 annotated frames" in damaged.page.text
 
 
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["--output", "x.pdf"], "a report is written as .html, .csv, .json, .tex"),
-        (["--output", "r.html", "--reference", "nobody"], "no source called 'nobody'"),
-        (["--output", "r.html", "--disagreement", "one"], "is no pair of sources"),
-        (["--output", "r.html", "--disagreement", "good,good"], "name two"),
-        (
-            ["--output", "/dev/null/r.html"],
-            "cannot be made: /dev/null is a file, expected a folder",
-        ),
-    ],
-)
-def test_wrong_requests_are_told_before_the_work(
-    cli, dataset, tmp_path, monkeypatch, arguments, said
-):
-    monkeypatch.chdir(tmp_path)
-    done = cli("report", dataset.root, "--cameras", f"good={dataset.cameras}", *arguments, code=2)
-    assert said in done.stderr
-
-
 def test_an_interruption_leaves_no_half_file(cli, dataset, tmp_path, monkeypatch):
     out = tmp_path / "out"
     out.mkdir()

@@ -13,8 +13,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPainter
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QApplication
 
-from procc_annotator.errors import SaveError
-from procc_annotator.figures.overlay import resized, scene_content
+from procc_annotator.figures.overlay import encode_picture, resized, scene_content
 from procc_annotator.gui.canvas.overlay_painter import paint_overlay, paint_samples
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction.legend import LegendEntry, legend_of
@@ -171,11 +170,8 @@ class OverlayPictures:
             drawing = _Drawing(scene, self._look)
             if self._suffix == ".svg":
                 return drawing.svg()
-            options = _JPEG if self._suffix == ".jpg" else ()
-            done, encoded = cv2.imencode(self._suffix, drawing.pixels(), options)
-        if not done:
-            raise SaveError(f"{scene.title}: the overlay cannot be encoded as {self._suffix}")
-        return encoded.tobytes()
+            settings = _JPEG if self._suffix == ".jpg" else ()
+            return encode_picture(drawing.pixels(), self._suffix, scene.title, settings)
 
     def pixels(self, scene: Scene) -> PixelArray:
         """The picture as (H, W, 3) BGR; errors as of a call."""
@@ -254,12 +250,9 @@ class _Drawing:
             return f'<rect width="{width}" height="{height}" fill="rgb({red},{green},{blue})"/>'
         lossless = self._scene.image_path.suffix.lower() in (".png", ".bmp")
         suffix, kind = (".png", "png") if lossless else (".jpg", "jpeg")
-        done, encoded = cv2.imencode(
-            suffix, self._pixels[:, :, :3], () if lossless else (cv2.IMWRITE_JPEG_QUALITY, 95)
-        )
-        if not done:
-            raise SaveError(f"{self._scene.title}: the picture cannot be put into an SVG")
-        data = b64encode(encoded.tobytes()).decode("ascii")
+        settings = () if lossless else (cv2.IMWRITE_JPEG_QUALITY, 95)
+        encoded = encode_picture(self._pixels, suffix, self._scene.title, settings)
+        data = b64encode(encoded).decode("ascii")
         return (
             f'<image width="{width}" height="{height}" preserveAspectRatio="none"'
             f' xlink:href="data:image/{kind};base64,{data}"/>'
