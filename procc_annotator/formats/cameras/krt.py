@@ -118,7 +118,32 @@ def krt_from(
     Raises:
         CameraError: names the place and what was expected.
     """
-    return camera_of_matrices(JsonValues.of(flat_entry(content), path, inside, keys.kind), keys)
+    entry = _with_distortion(flat_entry(content), keys)
+    return camera_of_matrices(JsonValues.of(entry, path, inside, keys.kind), keys)
+
+
+_RADIAL, _TANGENTIAL = ("k1", "k2", "k3", "k4", "k5", "k6"), ("p1", "p2")
+_LISTED = {
+    "radial_distortion": _RADIAL, "radial": _RADIAL, "k1k2": _RADIAL,
+    "tangential_distortion": _TANGENTIAL, "tangential": _TANGENTIAL,
+}  # fmt: skip
+
+
+def _with_distortion(entry: Any, keys: KrtKeys) -> Any:
+    """The entry with one list of the coefficients that it names one by one, or by their kind."""
+    if type(entry) is not dict or any(key in entry for key in keys.distortion):
+        return entry
+    terms = {key: entry[key] for key in (*_RADIAL, *_TANGENTIAL) if key in entry}
+    for key, names in _LISTED.items():
+        if type(values := entry.get(key)) is list and len(values) <= len(names):
+            terms |= zip(names, values, strict=False)
+    if "k1" not in terms:
+        return entry
+    fisheye = MODELS[1] in (entry.get(key) for key in keys.model)
+    fisheye = fisheye or any(entry.get(key) for key in keys.fisheye)
+    order = _RADIAL[:4] if fisheye else ("k1", "k2", "p1", "p2", "k3", "k4", "k5", "k6")
+    own = {key: value for key, value in entry.items() if key not in (*terms, *_LISTED)}
+    return {**own, keys.distortion[0]: [terms.get(name, 0.0) for name in order]}
 
 
 def flat_entry(entry: Any) -> Any:

@@ -135,7 +135,7 @@ def _counts(content: dict[str, Any], keys: KrtKeys) -> dict[str, int]:
     others = sorted(content.keys() & vectors - found.keys(), key=lambda key: (key in _VECTORS, key))
     for key in others:  # (N, 3) or (N, 3, 1), but not (3, 1)
         value, depth = content[key], depth_of(content[key])
-        wide = depth == 2 and (len(value[0]) >= 4 if key in keys.distortion else len(value[0]) == 3)
+        wide = depth == 2 and (len(value[0]) >= 2 if key in keys.distortion else len(value[0]) == 3)
         # Of a rotation that is a matrix three rows are no stack, nor is a vector that is a row.
         is_matrix = key in _VECTORS and depth == 2 and 3 not in found.values()
         if (

@@ -19,7 +19,7 @@ from procc_annotator.formats.cameras.content import (
     is_xml,
 )
 from procc_annotator.formats.cameras.homography import matrix_records, read_matrix_file
-from procc_annotator.formats.cameras.krt import flat_entry
+from procc_annotator.formats.cameras.krt import KRT_KEYS, flat_entry
 from procc_annotator.formats.cameras.loaded_camera import (
     CameraFormat,
     CameraRecords,
@@ -125,7 +125,9 @@ def only_record(records: CameraRecords) -> LoadedCamera:
 
 def _detected(content: object, path: str) -> CameraFormat:
     if type(content) is dict and is_soccernet(content) and not is_tvcalib(content):
-        return SOCCERNET
+        # Keys of its lens may stand beside K and R.
+        posed = _SOCCERNET_KEYS[0] in content or not KRT_KEYS.are_in(content)
+        return SOCCERNET if posed else _BY_NAME["krt"]
     values = list(content.values()) if type(content) is dict else []
     told = [(row, row.recognises) for row in ROWS if row.recognises is not None]
     if looks_like_points(content) or (

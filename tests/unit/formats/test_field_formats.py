@@ -7,6 +7,7 @@ import math
 import re
 import struct
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,7 @@ BENT = PinholeCamera(
     0.3, 1.3, 0.02, (4.0, 60.0, -15.0), (1500.0, 1490.0), (640.0, 355.0),
     (-0.1, 0.02, 0.0, 0.0, 0.0, 0.0), (0.001, -0.002),
 )  # fmt: skip
+RADIAL = replace(BENT, tangential=(0.0, 0.0))
 SQUARE = PinholeCamera(0.3, 1.3, 0.02, (4.0, 60.0, -15.0), (1500.0, 1500.0), (639.5, 359.5))
 K, R, T = calibration_matrix(BENT), BENT.rotation_cam_from_world, translation(BENT)
 DIST = np.array(distortion_vector(BENT))
@@ -165,6 +167,20 @@ FILES: dict[str, tuple[str, Callable[[], bytes], str, Any]] = {
                                         intrinsic=calibration_matrix(SQUARE),
                                         images=np.zeros((2, 1080, 1920, 3), np.uint8)),
         "0", SQUARE,
+    ),
+    "fifa, two coefficients": (
+        "seq.npz", lambda: npz(K=np.stack([K] * 3), k=np.stack([[-0.1, 0.02]] * 3),
+                               R=(R @ UP)[None], t=T[None]), "0", RADIAL,
+    ),
+    "coefficients one by one": (
+        "1.json", lambda: json.dumps({"K": K.tolist(), "R": R.tolist(), "t": T.tolist(), **dict(
+            zip(("k1", "k2", "p1", "p2"), DIST.tolist(), strict=False))}).encode(), "1", BENT,
+    ),
+    "radial and tangential apart": (
+        "1.json", lambda: json.dumps({
+            "K": K.tolist(), "R": R.tolist(), "t": T.tolist(),
+            "radial_distortion": DIST[:2].tolist(),
+            "tangential_distortion": DIST[2:4].tolist()}).encode(), "1", BENT,
     ),
     "4x4 beside K": (
         "1.json", lambda: json.dumps({"K": K.tolist(), "w2c": four(pose(BENT)).tolist(),
