@@ -43,7 +43,6 @@ from procc_annotator.report.consensus import write_agreement
 from procc_annotator.report.outputs import open_target
 from procc_annotator.report.overlay_scene import OverlayLook
 from procc_annotator.report.page import report
-from procc_annotator.report.page.overlays import Painters
 from procc_annotator.report.page.report_data import NamedCameras, ReportWork, gather_report
 from procc_annotator.report.scores.inference import InferenceSettings
 from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations
@@ -227,9 +226,7 @@ def write_report(
         material = report.ReportInputs(one.source, one.sets, one.pictures, steady)
         look = OverlayLook(widest=960, caption=False, emphasis=1.7)
         painters = report.ReportPainters(
-            Painters(PlainPictures(".jpg", look), PlainPictures(".png", look)),
-            Painters(DisagreementPainter(".jpg"), DisagreementPainter(".png")),
-            SOURCE_COLOURS,
+            PlainPictures(".jpg", look), DisagreementPainter(".jpg"), SOURCE_COLOURS
         )
         drawn = painters if "html" in kinds else None
         problems = report.write_report(gathered, material, request, drawn, files, work)

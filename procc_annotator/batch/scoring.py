@@ -64,7 +64,8 @@ class LeftOutTally:
         own = left_out_settings(setup)
         frames = self.found.get(own, [])
         others = tuple(sorted({(t.protocol, t.size) for t in self.found if t != own}))
-        return LeftOutMetrics(len(frames), tuple(e for frame in frames for e in frame), others)
+        every = tuple(e for frame in frames for e in frame)
+        return LeftOutMetrics(sum(map(bool, frames)), every, others, len(frames))
 
 
 @dataclass(frozen=True)
@@ -72,14 +73,16 @@ class LeftOutMetrics:
     """The elements left out of a source's fits.
 
     Attributes:
-        frames: that these are of.
+        frames: with at least one of these elements.
         elements: left out, of all frames.
         others: protocol and size of figures that were made with other terms, and do not count.
+        tried: frames whose elements were left out, also those of which none counts.
     """
 
     frames: int = 0
     elements: tuple[LeftOutElement, ...] = ()
     others: tuple[tuple[str, tuple[int, int]], ...] = ()
+    tried: int = 0
 
     def shares(self, tau: float) -> tuple[float, float] | None:
         """The shares of elements that are correct at a threshold under the cameras of the others,

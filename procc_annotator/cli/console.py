@@ -33,6 +33,7 @@ def terminal_table(sheet: MetricTable) -> Table:
         title_justify="left",
         title_style="",
         header_style="bold",
+        show_header=bool(content.rows),
         caption="\n".join(content.notes) or None,
         caption_justify="left",
     )

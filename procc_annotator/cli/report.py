@@ -32,7 +32,6 @@ from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, list_annota
 from procc_annotator.formats.frame_names import FrameTable
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.report.overlay_scene import OverlayLook
-from procc_annotator.report.page.overlays import Painters
 from procc_annotator.report.page.report import (
     ReportInputs,
     ReportPainters,
@@ -297,6 +296,5 @@ def _painters(
 
     # Two pictures share the width of the page.
     look = OverlayLook(widest=picture_width, caption=False, emphasis=1.7)
-    overlays = Painters(overlay_painter(".jpg", look), overlay_painter(".png", look))
-    pairs = Painters(DisagreementPainter(".jpg"), DisagreementPainter(".png"))
-    return ReportPainters(overlays, pairs if with_pairs else None, SOURCE_COLOURS)
+    pairs = DisagreementPainter(".jpg") if with_pairs else None
+    return ReportPainters(overlay_painter(".jpg", look), pairs, SOURCE_COLOURS)

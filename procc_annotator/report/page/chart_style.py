@@ -157,7 +157,8 @@ def _inline(svg: str, prefix: str, title: str) -> str:
     body = re.sub(r' id="([^"]*)"', own_id, body)
     body = body.replace('xlink:href="#', f'href="#{prefix}-').replace("url(#", f"url(#{prefix}-")
     body = re.sub(r"font: (?:[a-z]+ )?([0-9.]+px) [^;\"]*", r"font-size: \1", body)
-    body = re.sub(r"\n\s*", "\n", body)
+    body = re.sub(r"font-family: [^;\"]*; ?", "", body)  # the page's
+    body = re.sub(r"\s*\n\s*", "\n", body)
     body = re.sub(r'"[^"<>]*"', lambda m: re.sub(r"(\.\d\d)\d+", r"\1", m[0]), body)  # 0.01 pt
     for stand_in, colour in _PAGE_COLOURS.items():
         body = body.replace(stand_in, colour)

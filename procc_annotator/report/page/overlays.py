@@ -6,7 +6,7 @@ import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Generic, TypeVar
+from typing import TypeVar
 
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import ImageError, InputError
@@ -26,22 +26,12 @@ _MOST_SENTENCES = 8
 S = TypeVar("S", Scene, ComparisonScene)
 
 
-@dataclass(frozen=True)
-class Painters(Generic[S]):
-    """Painters of pictures: photographs become JPEG, which suits photographs, plain ground PNG."""
-
-    photograph: Callable[[S], bytes]
-    plain: Callable[[S], bytes]
-
-    def encode(self, scene: S) -> tuple[bytes, str, ImageError | None]:
-        """The picture, its MIME type, and why it is on plain ground in spite of a photograph."""
-        failure = None
-        if scene.image_path is not None:
-            try:
-                return self.photograph(scene), "image/jpeg", None
-            except ImageError as error:
-                failure = error
-        return self.plain(replace(scene, image_path=None)), "image/png", failure
+def paint_scene(painter: Callable[[S], bytes], scene: S) -> tuple[bytes, ImageError | None]:
+    """The picture as JPEG, and why it is on plain ground in spite of a photograph."""
+    try:
+        return painter(scene), None
+    except ImageError as error:
+        return painter(replace(scene, image_path=None)), error
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +40,7 @@ class OverlayPicture:
 
     Attributes:
         source, frame: what it shows.
-        picture, kind: the encoded picture and its MIME type; empty where the frame has no camera.
+        picture: JPEG; empty where the frame has no camera.
         figures: JaC and error, with what they depend on.
         sentences: what lowers the score, the worst first.
         passing: how many elements agree.
@@ -60,7 +50,6 @@ class OverlayPicture:
     source: str
     frame: str
     picture: bytes
-    kind: str
     figures: str
     sentences: tuple[str, ...] = ()
     passing: int = 0
@@ -119,7 +108,7 @@ class OverlayDrawer:
         annotations: the source of annotation files it was gathered from.
         sources: the cameras of its sources, by name.
         pictures: frame -> picture, for frames that have one.
-        painters: who paints.
+        painter: paints a scene as JPEG.
     """
 
     def __init__(
@@ -128,14 +117,14 @@ class OverlayDrawer:
         annotations: FileSource,
         sources: Sequence[CameraSet],
         pictures: Mapping[str, Path],
-        painters: Painters[Scene],
+        painter: Callable[[Scene], bytes],
     ) -> None:
         self._report = report
         self._annotations = annotations
         self._files = list_annotations(annotations)
         self._cameras = {cameras.name: cameras for cameras in sources}
         self._pictures = pictures
-        self._painters = painters
+        self._painter = painter
         self.problems: list[str] = []
 
     def draw(self, source: str, frame: str) -> OverlayPicture:
@@ -146,7 +135,7 @@ class OverlayDrawer:
             self.problems.append(str(error))
             scene = None
         if scene is None:
-            return OverlayPicture(source, frame, b"", "", "no camera for this frame")
+            return OverlayPicture(source, frame, b"", "no camera for this frame")
         return self._painted(source, frame, scene)
 
     def _scene(self, source: str, frame: str) -> Scene | None:
@@ -163,7 +152,7 @@ class OverlayDrawer:
         return Scene(self._pictures.get(frame), annotation, setup, measurement, judged, frame)
 
     def _painted(self, source: str, frame: str, scene: Scene) -> OverlayPicture:
-        picture, kind, failure = self._painters.encode(scene)
+        picture, failure = paint_scene(self._painter, scene)
         remark = ""
         if failure is not None:
             self.problems.append(str(failure))
@@ -188,6 +177,4 @@ class OverlayDrawer:
         figures = (
             f"JaC@{judged.threshold:g} {percent_text(judged.jac)} %, {error} ({terms}{labels})"
         )
-        return OverlayPicture(
-            source, frame, picture, kind, figures, tuple(sentences), judged.tp, remark
-        )
+        return OverlayPicture(source, frame, picture, figures, tuple(sentences), judged.tp, remark)

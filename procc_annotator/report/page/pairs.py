@@ -19,7 +19,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M
 from procc_annotator.metrics.legacy import MetricAverage
 from procc_annotator.report.comparison import ComparisonScene, comparison_scene
-from procc_annotator.report.page.overlays import Painters
+from procc_annotator.report.page.overlays import paint_scene
 from procc_annotator.report.tables.metrics import FRAMES, HAVING, LEGACY, METRES, PIXELS, WITHIN
 from procc_annotator.report.tables.table import (
     Column,
@@ -36,11 +36,10 @@ Progress = Callable[[Iterable[ComparedFrame], int, str], Iterator[ComparedFrame]
 
 @dataclass(frozen=True, slots=True)
 class PairPicture:
-    """A disagreement picture (encoded, with its MIME type) with its words."""
+    """A disagreement picture (JPEG) with its words."""
 
     frame: str
     picture: bytes
-    kind: str
     words: str
 
 
@@ -105,7 +104,7 @@ class Pairs:
         a: str,
         b: str,
         count: int,
-        paint: Painters[ComparisonScene],
+        paint: Callable[[ComparisonScene], bytes],
         pictures: Mapping[str, Path],
     ) -> tuple[PairPicture, ...]:
         """Pictures of the frames that disagree most, largest median first."""
@@ -124,15 +123,15 @@ class Pairs:
         comparison: ComparisonRun,
         frame: ComparedFrame,
         names: tuple[str, str],
-        paint: Painters[ComparisonScene],
+        paint: Callable[[ComparisonScene], bytes],
         pictures: Mapping[str, Path],
     ) -> PairPicture | None:
         try:
             scene = comparison_scene(comparison, frame, names, pictures)
-            picture, kind, _ = paint.encode(scene)  # a failure is listed with the overlays
+            picture, _ = paint_scene(paint, scene)  # a failure is listed with the overlays
         except InputError:  # listed when the set was compared
             return None
-        return PairPicture(frame.name, picture, kind, _words(frame))
+        return PairPicture(frame.name, picture, _words(frame))
 
     def _run(self, a: str, b: str) -> tuple[ComparisonRun, list[ComparedFrame]] | str:
         if (a, b) not in self._done:

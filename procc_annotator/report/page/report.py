@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import platform
 from base64 import b64encode
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from hashlib import sha256
@@ -26,7 +26,6 @@ from procc_annotator.report.page.findings import findings
 from procc_annotator.report.page.overlays import (
     OverlayDrawer,
     OverlayPicture,
-    Painters,
     choose_frames,
 )
 from procc_annotator.report.page.pairs import (
@@ -108,8 +107,8 @@ class ReportPainters:
         colours: of the sources in charts.
     """
 
-    overlays: Painters[Scene]
-    pairs: Painters[ComparisonScene] | None
+    overlays: Callable[[Scene], bytes]
+    pairs: Callable[[ComparisonScene], bytes] | None
     colours: Sequence[str]
 
 
@@ -324,8 +323,8 @@ def page_template(name: str) -> Template:
     return environment.get_template(name)
 
 
-def _data_uri(picture: bytes, kind: str) -> str:
-    return f"data:{kind};base64,{b64encode(picture).decode('ascii')}"
+def _data_uri(picture: bytes) -> str:
+    return f"data:image/jpeg;base64,{b64encode(picture).decode('ascii')}"
 
 
 def _settings(report: AuditReport, request: ReportRequest) -> list[tuple[str, str]]:

@@ -48,7 +48,7 @@ def comparison_table(report: AuditReport) -> MetricTable:
     """The methods side by side, with intervals and ranks."""
     shown = _compared_metrics(report)
     several = [metric for metric, _, _ in shown]
-    columns = [SOURCE, Column("model", "Camera model")]
+    columns = [SOURCE]
     for metric, _, at in shown:
         key = f"{metric.key}{at}" if several.count(metric) > 1 else metric.key
         columns += [metric_column(metric, at, key=key)]
@@ -59,7 +59,7 @@ def comparison_table(report: AuditReport) -> MetricTable:
     places = {source.name: place for place, source in enumerate(report.evaluated)}
     ranks = {tau: report.certainty.ranks(metrics.MEAN_JAC.key, tau) for tau in report.thresholds}
     for source in report.sources:
-        row: list[Value] = [source.marked_name, source.model or None]
+        row: list[Value] = [source.marked_name]
         for metric, tau, _ in shown:
             place = places.get(source.name)
             if place is None:
@@ -68,7 +68,8 @@ def comparison_table(report: AuditReport) -> MetricTable:
             ends = report.certainty.intervals[place][metric.key, tau]
             row += [metric.of(source.summaries[tau]), *interval_ends(ends)]
             row += [ranks[tau][place]] if metric is metrics.MEAN_JAC else []
-        rows.append(tuple(row))
+        rows.append((*row, source.model or None))
+    columns.append(Column("model", "Camera model"))
     summaries = {source.name: source.summaries for source in report.evaluated}
     brackets = f"In brackets {report.certainty.described}."
     notes = (_rests_on(report), *tie_notes(summaries), brackets)
@@ -94,8 +95,8 @@ def without_intervals(sheet: MetricTable) -> MetricTable:
 
 def _compared_metrics(report: AuditReport) -> list[tuple[Metric, float, str]]:
     """The metrics of the comparison, each with its threshold (px) and what its heading adds."""
-    taus = sorted(report.thresholds)
-    at = {"every": taus, "largest": taus[-1:], "leading": [report.tau], "none": [report.tau]}
+    taus = report.thresholds
+    at = {"every": taus, "largest": [max(taus)], "leading": [report.tau], "none": [report.tau]}
     return [
         (metric, tau, "" if where == "none" else f"@{shortest_number(tau)}")
         for metric, where in metrics.COMPARED_ON_PAGE
@@ -147,7 +148,7 @@ def _rests_on(report: AuditReport) -> str:
 def fits_table(report: AuditReport) -> MetricTable | None:
     """The fits among the sources by elements left out; None without fits."""
     sources = [(source.name, source) for source in report.evaluated]
-    return left_out_table(sources, sorted(report.thresholds), report.setup)
+    return left_out_table(sources, report.thresholds, report.setup)
 
 
 def frames_table(report: AuditReport) -> MetricTable:

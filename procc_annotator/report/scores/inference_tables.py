@@ -102,7 +102,8 @@ def interval_columns(figure: Metric) -> tuple[Column, Column]:
 def differences_table(certainty: Inference, described: str) -> MetricTable:
     """Every two sources on the frames both have, at every threshold. The verdict stands before the
     figures, where a narrow page shows it."""
-    columns = [TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "verdict (JaC)")]
+    columns = [TAU, Column("a", "A"), Column("b", "B")]
+    columns.append(Column("verdict", "verdict (JaC)", figure=metrics.VERDICT))
     for figure, _ in metrics.DIFFERENCES:
         points = figure.unit.replace("%", "points")
         heading = f"{figure.title}, {points}"
@@ -142,7 +143,8 @@ def differences_table(certainty: Inference, described: str) -> MetricTable:
 def held_out_pairs_table(certainty: Inference, described: str) -> MetricTable:
     """Every two fits on the elements that both determine from the others, at every threshold."""
     columns = (
-        TAU, Column("a", "A"), Column("b", "B"), Column("verdict", "verdict"),
+        TAU, Column("a", "A"), Column("b", "B"),
+        Column("verdict", "verdict", figure=metrics.VERDICT),
         metric_column(metrics.LEFT_OUT_SCORE, key="held_out_a", heading="A held out %"),
         metric_column(metrics.LEFT_OUT_SCORE, key="held_out_b", heading="B held out %"),
         metric_column(metrics.HELD_OUT_DIFFERENCE), *interval_columns(metrics.HELD_OUT_DIFFERENCE),

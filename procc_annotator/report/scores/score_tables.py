@@ -5,6 +5,7 @@ from __future__ import annotations
 import heapq
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import Any, Protocol
 
 from procc_annotator.batch.scoring import LeftOutMetrics
@@ -20,7 +21,7 @@ from procc_annotator.report.tables.table import (
     TAU,
     Column,
     MetricTable,
-    Value,
+    Row,
     count_column,
     defined_count_column,
     metric_column,
@@ -102,7 +103,7 @@ def tie_notes(several: Mapping[str, Mapping[float, SetSummary]]) -> tuple[str, .
     ties = [
         " ".join(filter(None, (name, f"{summary.tied} at {tau:g} px")))
         for name, summaries in several.items()
-        for tau, summary in sorted(summaries.items())
+        for tau, summary in summaries.items()
         if summary.tied
     ]
     if not ties:
@@ -269,7 +270,7 @@ def left_out_table(
     setup: EvaluationSetup,
 ) -> MetricTable | None:
     """The fits among the sources, each with the share of elements that are correct left out, and in
-    sample; of fits without such figures the notes say how to get them. None without fits.
+    sample; of fits without such figures only the notes say how to get them. None without fits.
 
     Args:
         sources: with their names. thresholds: px. setup: of them all.
@@ -287,17 +288,16 @@ def left_out_table(
         for tau in thresholds
         for figure in (metrics.LEFT_OUT_SCORE, metrics.IN_SAMPLE)
     ]
-    rows = []
+    rows: list[Row] = []
     for name, source in fits:
         figures = source.held_out
-        row: list[Value] = [name, len(figures.elements) or None, figures.frames or None]
-        for tau in thresholds:
-            row += figures.shares(tau) or (None, None)
-        rows.append(tuple(row))
+        shares = [figures.shares(tau) or () for tau in thresholds]
+        if figures.elements:
+            rows.append((name, len(figures.elements), figures.frames, *chain(*shares)))
     notes = [
         "Held out, every element is judged by the camera of the frame's other elements; in sample,"
         " the same elements by the camera of all."
-    ]
+    ][: len(rows)]
     notes += [f"{name}: {why}" for name, source in fits if (why := _why_none(source))]
     all_on_ground = all(source.ground_only for _, source in fits)
     if not all_on_ground:
@@ -328,13 +328,13 @@ def left_out_entry(source: MethodWithLeftOut, thresholds: Sequence[float]) -> di
 def _why_none(source: MethodWithLeftOut) -> str:
     """Reason for which some cameras have no such figures; empty where all have."""
     figures = source.held_out
-    if figures.frames >= source.fitted.marked:
+    if figures.tried >= source.fitted.marked:
         return ""
     cameras = pluralize(source.fitted.marked, "camera")
-    without = source.fitted.marked - figures.frames
+    without = source.fitted.marked - figures.tried
     which = (
         f"{without} of its {cameras} have no such figures"
-        if figures.frames
+        if figures.tried
         else f"none of its {cameras} has such figures"
     )
     if figures.others:

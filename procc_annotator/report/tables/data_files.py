@@ -6,6 +6,7 @@ import math
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from itertools import groupby
 from typing import Any
 
@@ -143,10 +144,10 @@ def _as_plain(value: object) -> str:
     raise NotImplementedError(f"{type(value).__name__} cannot be written as JSON")
 
 
-# The column and the text of usual two-column styles are 229 and 505 pt wide; what is wider than the
-# text is split. Estimated widths are up to 5 % too small.
-_COLUMN_PT, _TEXT_PT = 218.0, 480.0
-_MOST_ROWS = 40  # of a page
+# The column of usual two-column styles is 229 pt wide: every tabular fits into it.
+_COLUMN_PT = 218.0  # estimated widths are up to 5 % too small
+_SMALLER = 0.95  # width of \scriptsize to \footnotesize
+_MOST_LINES = 44  # of a page in \scriptsize
 _GAP_PT = 6.0
 _WRAPPED_PT = 120.0  # of a column of sentences
 _CHARACTER_PT = 4.4  # of \footnotesize: a digit has 4.25
@@ -179,7 +180,8 @@ _SPECIAL = {
 }
 _BETTER = {"higher": "(↑)", "lower": "(↓)"}
 _ARROWS = {"higher": r"($\uparrow$)", "lower": r"($\downarrow$)"}
-_HEADING = 12  # characters
+_HEADING = 5  # characters
+_HEADING_LINES = 4
 
 
 def escape_latex(text: str) -> str:
@@ -191,64 +193,87 @@ def escape_latex(text: str) -> str:
 
 
 def latex_tables(sheets: Iterable[MetricTable], remarks: Iterable[str] = ()) -> str:
-    """Several tables as one file; remarks go into comments at its head."""
+    """Several tables as one file; remarks go into comments at its head. A table without rows only
+    adds its notes to the one before it."""
     remarks = (*remarks, r"needs \usepackage{booktabs, adjustbox}")
     head = ["% " + " ".join(remark.split()) for remark in remarks]
-    return "\n".join([*head, *(f"\n{latex_table(sheet)}" for sheet in sheets)]) + "\n"
+    shown: list[MetricTable] = []
+    for sheet in sheets:
+        if sheet.rows or not shown:
+            shown.append(sheet)
+        else:
+            shown[-1] = replace(shown[-1], notes=(*shown[-1].notes, *sheet.notes))
+    return "\n".join([*head, *(f"\n{latex_table(sheet)}" for sheet in shown)]) + "\n"
 
 
 def latex_table(sheet: MetricTable) -> str:
     """One table; best values are bold, dashes stand for what is undefined.
 
-    Widths are estimated from the characters: what fits into a column is a ``table``, what fits into
-    the text a ``table*``; a wider or longer one is split into several, each with the columns that
-    name its rows.
+    Widths are estimated from the characters. What is wider than a column is split into several
+    tabulars, each with the columns that name its rows, in a ``table*``: LaTeX sets two next to each
+    other if the text has room for them. What is longer than a page is continued.
     """
     content = display_table(sheet)
-    columns = _split_columns(content)
-    rows = [*range(0, len(content.rows), _MOST_ROWS)] or [0]
-    pieces = [(some, first) for first in rows for some in columns]
-    return "\n\n".join(
-        _latex_piece(content, *piece, f" (part {at} of {len(pieces)})" if pieces[1:] else "")
-        for at, piece in enumerate(pieces, 1)
-    )
+    every = [*range(len(content.columns))]
+    narrow = _width_pt(content, every) <= _COLUMN_PT
+    columns = [every] if narrow else _split_columns(content)
+    kind, size = ("table", "footnotesize") if narrow else ("table*", "scriptsize")
+    most = max(1, min(len(content.rows), _MOST_LINES - _HEADING_LINES))
+    pieces = [
+        _latex_tabular(content, some, slice(first, first + most))
+        for first in range(0, len(content.rows) or 1, most)
+        for some in columns
+    ]
+    two = 2.1 * max(_width_pt(content, some) for some in columns)  # next to each other
+    stacked = max(1, _MOST_LINES // (most + _HEADING_LINES))
+    notes = " ".join([f"{escape_latex(content.caption)}.", *map(escape_latex, content.notes)])
+    begin = rf"\begin{{{kind}}}\centering\{size}\setlength{{\tabcolsep}}{{3pt}}\lineskip=6pt"
+    title = f"{escape_latex(sheet.title)} (continued)."
+    end, again = rf"\end{{{kind}}}", rf"\addtocounter{{table}}{{-1}}\caption{{{title}}}"
+    lines = [begin, rf"\caption{{{notes}}}\label{{tab:{sheet.name}}}"]
+    for at, piece in enumerate(pieces):
+        if at and at % (2 * stacked) == 0:
+            lines += [end, "", begin, again]
+        elif at and at % stacked == 0:
+            lines.append(rf"\ifdim\linewidth<{two:.0f}pt{end}{begin}{again}\else\quad\fi")
+        elif at:
+            lines.append(r"\quad")
+        lines.append(piece)
+    return "\n".join([*lines, end])
 
 
-def _latex_piece(content: DisplayTable, chosen: Sequence[int], first: int, part: str) -> str:
+def _latex_tabular(content: DisplayTable, chosen: Sequence[int], rows: slice) -> str:
     columns = [content.columns[at] for at in chosen]
-    kind = "table" if _width_pt(content, chosen) <= _COLUMN_PT else "table*"
     wrapped = f"p{{{_WRAPPED_PT:g}pt}}"
     layout = "".join(
         "r" if content.columns[at].numeric else wrapped if _wraps(content, at) else "l"
         for at in chosen
     )
     lines = [
-        rf"\begin{{{kind}}}", r"\centering\footnotesize\setlength{\tabcolsep}{3pt}",
-        r"\begin{adjustbox}{max width=\linewidth}", rf"\begin{{tabular}}{{{layout}}}", r"\toprule",
-    ]  # fmt: skip
+        r"\begin{adjustbox}{max width=\linewidth}",
+        rf"\begin{{tabular}}[b]{{{layout}}}",
+        r"\toprule",
+    ]
     if groups := spans(columns):
         lines.append(" & ".join(map(_span, groups)) + r" \\")
     headings = (_heading(content.columns[at], _lines(content, at)) for at in chosen)
     lines += [" & ".join(headings) + r" \\", r"\midrule"]
-    for at, row in enumerate(content.rows[first : first + _MOST_ROWS], first):
-        if at > first and at in content.parts:
+    for at, row in enumerate(content.rows[rows], rows.start):
+        if at > rows.start and at in content.parts:
             lines.append(r"\midrule")
         lines.append(" & ".join(_cell(row[place]) for place in chosen) + r" \\")
-    titled = f"{escape_latex(content.caption + part)}."
-    caption = " ".join([titled, *map(escape_latex, content.notes)])
-    lines += [r"\bottomrule", r"\end{tabular}", r"\end{adjustbox}", rf"\caption{{{caption}}}"]
-    return "\n".join([*lines, rf"\end{{{kind}}}"])
+    return "\n".join([*lines, r"\bottomrule", r"\end{tabular}", r"\end{adjustbox}"])
 
 
 def _split_columns(content: DisplayTable) -> list[list[int]]:
-    """Places of the columns of each piece: those that name rows, and as many others as fit; columns
-    of a group stay together."""
+    """Places of the columns of each tabular: those that name rows, and as many others as fit;
+    columns of a group stay together."""
     columns = content.columns
     named = next((at for at, c in enumerate(columns) if c.definition or c.better), len(columns))
     found = [[*range(named)]]
     for _, run in groupby(range(named, len(columns)), lambda at: columns[at].group or at):
         own = [*run]
-        if _width_pt(content, found[-1] + own) > _TEXT_PT and found[-1][named:]:
+        if _width_pt(content, found[-1] + own) > _COLUMN_PT / _SMALLER and found[-1][named:]:
             found.append([*range(named)])
         found[-1] += own
     return found

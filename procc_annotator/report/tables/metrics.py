@@ -314,6 +314,10 @@ DIFFERENCES = (
     (SCORE_DIFFERENCE, FINAL_SCORE.key),
     (ERROR_DIFFERENCE, MEAN_ERROR.key),
 )
+VERDICT = Metric(
+    "verdict", "verdict",
+    definition="Significant: the 95 % interval excludes 0 and the Holm-corrected p is below 0.05.",
+)  # fmt: skip
 P_VALUE = Metric(
     "p", "p", digits=4,
     definition="The share of exchanges of the two sources, whole clusters at once, that differ at"

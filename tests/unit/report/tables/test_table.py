@@ -152,5 +152,5 @@ def test_a_page_explains_its_columns_once():
     )
     assert definitions([rows]) == (("median, px", (metrics.MEDIAN_PX.definition,)),)
     assert f'title="{metrics.TP.definition}"' in page_template("table.html").module.table(
-        MetricTable("d", "D", (Column("source"), defined_count_column(metrics.TP)), ())
+        MetricTable("d", "D", (Column("source"), defined_count_column(metrics.TP)), (("a", 1),))
     )
