@@ -184,9 +184,8 @@ def temporal_request(
             raise UsageError("--shots, --pictures and --over-time-output need --over-time")
         return None
     from procc_annotator.cli.temporal import TemporalRequest  # loads decoding and motion
-    from procc_annotator.report.temporal import check_suffix
 
-    return TemporalRequest(shots, pictures, output_files(output, check_suffix))
+    return TemporalRequest(shots, pictures, output_files(output))
 
 
 @dataclass(frozen=True)

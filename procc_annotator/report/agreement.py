@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from string import ascii_uppercase
 from typing import Any
 
 import numpy as np
@@ -194,7 +195,7 @@ def _half(interval: Interval | None, times: float) -> float | None:
     return None if interval is None else times * (interval.high - interval.low) / 2
 
 
-_LONE = ("only_a", "only_b")
+LONE = (("added", "missed"), ("only_a", "only_b"))  # of several annotators, of two
 
 ClustersOf = Callable[[Sequence[str]], Clusters]
 Progress = Callable[[Iterable[ConsensusResult], int, str], Iterator[ConsensusResult]]
@@ -391,7 +392,7 @@ def agreement_json(agreed: AgreementReport) -> bytes:
 def _frame_entry(result: ConsensusResult, thresholds: Sequence[float]) -> dict[str, Any]:
     entry: dict[str, Any] = {"name": result.name, "errors": list(result.errors)}
     found = result.agreement
-    return entry if found is None else entry | frame_entry(found, thresholds, _LONE)
+    return entry if found is None else entry | frame_entry(found, thresholds, LONE[True])
 
 
 def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
@@ -407,30 +408,31 @@ def _summary_entry(summary: AgreementSummary) -> dict[str, Any]:
     }
 
 
-def agreement_frames_table(agreed: AgreementReport) -> MetricTable:
-    """One row a frame and class; a frame with nothing to show has a row without class.
+def frames_table(agreed: AgreementReport) -> MetricTable:
+    """One row a frame and class; of three annotators or more one a frame, annotator and class,
+    against the consensus of the others. A frame with nothing to show has a row without class.
 
-    The status of a class is ``common``, ``apart``, ``only_a`` or ``only_b``; that of a row without
-    class ``empty``, ``unreadable``, ``frame_only_a`` or ``frame_only_b``.
+    The status of a class is ``common``, ``apart``, ``only_a`` or ``only_b``, with the others
+    ``added`` or ``missed``; that of a row without class ``empty``, ``unreadable``, ``frame_only_a``
+    or ``frame_only_b``, with the others ``alone``.
     """
-    columns = (
-        Column("name"),
-        Column("field"),
-        count_column("width"),
-        count_column("height"),
-        *ELEMENT_COLUMNS,
-    )
     run = agreed.run
+    of_two = len(run.sources) == 2
+    head = ("name", "field", "width", "height", *(() if of_two else ("annotator",)))
+    columns = [count_column(k) if k in ("width", "height") else Column(k) for k in head]
     terms = (run.field.described, *run.size)
-    found: list[tuple[str, Row]] = []
+    letters = ((),) * 2 if of_two else tuple((letter,) for letter in ascii_uppercase)
+    rows: list[Row] = []
     for one in agreed.results:
-        if one.agreement is None:
-            found.append((one.name, status_row("unreadable", error="; ".join(one.errors))))
-            continue
-        own = element_rows(one.agreement, _LONE) or [status_row("empty")]
-        found += [(one.name, row) for row in own]
-    for status, names in zip(("frame_only_a", "frame_only_b"), run.alone, strict=True):
-        found += [(name, status_row(status)) for name in names]
-    return MetricTable(
-        "frames", "Frames", columns, tuple((name, *terms, *row) for name, row in found)
-    )
+        pair = {} if one.agreement is None else {0: one.agreement}
+        for at, frame in (pair if of_two else one.against_others).items():
+            empty = status_row("empty", hint=None if of_two else frame.mirrored_hint)
+            own = element_rows(frame, LONE[of_two]) or [empty]
+            rows += [(one.name, *terms, *letters[at], *row) for row in own]
+        if one.errors:
+            unread = status_row("unreadable", error="; ".join(one.errors))
+            rows.append((one.name, *terms, *(() if of_two else (None,)), *unread))
+    alone = ("frame_only_a", "frame_only_b") if of_two else ("alone",) * len(run.alone)
+    for letter, status, names in zip(letters, alone, run.alone, strict=False):
+        rows += [(name, *terms, *letter, *status_row(status)) for name in names]
+    return MetricTable("frames", "Frames", (*columns, *ELEMENT_COLUMNS), tuple(rows))

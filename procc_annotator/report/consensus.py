@@ -18,18 +18,16 @@ from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import ClassAgreement
 from procc_annotator.report.agreement import (
     AGREEMENT_COLUMNS,
-    ELEMENT_COLUMNS,
+    LONE,
     WORST,
     AgreementReport,
-    agreement_frames_table,
     agreement_json,
     agreement_values,
-    element_rows,
     farthest,
     frame_entry,
+    frames_table,
     inter_annotator_entry,
     inter_annotator_words,
-    status_row,
 )
 from procc_annotator.report.outputs import open_target
 from procc_annotator.report.scores.score_files import field_terms, score_format
@@ -41,14 +39,12 @@ from procc_annotator.report.tables.table import (
     Column,
     Metric,
     MetricTable,
-    Row,
     count_column,
     metric_column,
     metric_values,
 )
 
 _COUNTS = (metrics.COMMON, metrics.APART, metrics.ADDED, metrics.MISSED, metrics.LEFT_OUT)
-_LONE = ("added", "missed")
 
 
 def short_names(paths: Sequence[PurePath]) -> tuple[str, ...]:
@@ -219,40 +215,9 @@ def write_agreement(agreed: AgreementReport, output: Path) -> None:
     if is_json:
         data = agreement_json(agreed) if of_two else json_bytes(_content(agreed), indent=0)
     else:
-        table = agreement_frames_table(agreed) if of_two else consensus_frames_table(agreed)
-        data = csv_bytes(table)
+        data = csv_bytes(frames_table(agreed))
     with open_replacing(output) as stream:
         stream.write(data)
-
-
-def consensus_frames_table(agreed: AgreementReport) -> MetricTable:
-    """One row a frame, annotator and class, against the consensus of the others.
-
-    The status of a class is ``common``, ``apart``, ``added`` or ``missed``; that of a row without
-    class ``empty``, ``unreadable`` or ``alone``.
-    """
-    columns = (
-        Column("name"),
-        Column("field"),
-        count_column("width"),
-        count_column("height"),
-        Column("annotator"),
-        *ELEMENT_COLUMNS,
-    )
-    run = agreed.run
-    terms = (run.field.described, *run.size)
-    rows: list[Row] = []
-    for result in agreed.results:
-        for at, frame in result.against_others.items():
-            who = (result.name, *terms, ascii_uppercase[at])
-            own = element_rows(frame, _LONE) or [status_row("empty", hint=frame.mirrored_hint)]
-            rows += [(*who, *row) for row in own]
-        if result.errors:
-            unread = status_row("unreadable", error="; ".join(result.errors))
-            rows.append((result.name, *terms, None, *unread))
-    for letter, names in zip(ascii_uppercase, run.alone, strict=False):
-        rows += [(name, *terms, letter, *status_row("alone")) for name in names]
-    return MetricTable("frames", "Frames", columns, tuple(rows))
 
 
 def _content(agreed: AgreementReport) -> dict[str, Any]:
@@ -285,7 +250,7 @@ def _frame_entry(result: ConsensusResult, thresholds: Sequence[float]) -> dict[s
         "errors": list(result.errors),
         "undecided": list(undecided),
         "annotators": {
-            ascii_uppercase[at]: frame_entry(frame, thresholds, _LONE)
+            ascii_uppercase[at]: frame_entry(frame, thresholds, LONE[False])
             for at, frame in result.against_others.items()
         },
     }

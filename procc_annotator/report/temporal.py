@@ -14,7 +14,6 @@ from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.grouping import ShotFrames
 from procc_annotator.batch.temporal import OverTimeRun, ShotOverTime, require_shots
-from procc_annotator.errors import UsageError
 from procc_annotator.formats.cameras.fit_record import (
     FITTED_KEYS,
     NOT_FITTED,
@@ -23,6 +22,7 @@ from procc_annotator.formats.cameras.fit_record import (
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.temporal.discontinuities import FrameOffset
 from procc_annotator.metrics.temporal.jitter import shot_rms
+from procc_annotator.report.scores.score_files import score_format
 from procc_annotator.report.scores.scoring import EvaluationRequest
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
@@ -33,8 +33,6 @@ from procc_annotator.report.tables.table import (
     count_column,
     metric_column,
 )
-
-SUFFIXES = (".json", ".csv")
 
 _OF_SHOT = (
     Column("set", "set"),
@@ -254,9 +252,8 @@ def over_time_bytes(found: Sequence[TemporalMetrics], path: Path) -> bytes:
     Raises:
         UsageError: another suffix.
     """
-    if path.suffix.lower() == ".json":
+    if score_format(path) == "json":
         return json_bytes(over_time_entries(found))
-    check_suffix(path)
     return csv_bytes(frames_over_time_table(found))
 
 
@@ -264,16 +261,6 @@ def over_time_entries(found: Sequence[TemporalMetrics]) -> dict[str, Any]:
     """All figures over time, for a file: shots, jumps and outages, frames."""
     sheets = (shots_over_time_table(found), breaks_table(found), frames_over_time_table(found))
     return {sheet.name: table_entry(sheet) for sheet in sheets}
-
-
-def check_suffix(path: Path) -> None:
-    """Fail before the work.
-
-    Raises:
-        UsageError: a file of another kind.
-    """
-    if path.suffix.lower() not in SUFFIXES:
-        raise UsageError(f"{path}: figures over time are written as {' or '.join(SUFFIXES)}")
 
 
 # --- rows -----------------------------------------------------------------------------------------

@@ -66,6 +66,12 @@ class RatioMetrics:
             np.hstack([r.parts for r in several]), np.hstack([r.denominators for r in several])
         )
 
+    def value(self, column: int) -> float | None:
+        """A figure over all frames; None if no frame counts for it or it is undefined."""
+        whole = float(self.denominators[:, column].sum())
+        found = float(self.parts[:, column].sum()) / whole if whole else np.nan
+        return found if np.isfinite(found) else None
+
     def of(self, frames: NDArray[np.bool_]) -> RatioMetrics:
         """The same over some of the frames alone; (F,)."""
         chosen = frames[:, None]

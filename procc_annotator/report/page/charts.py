@@ -204,10 +204,12 @@ def _pairs(report: AuditReport, charted: list[ChartedMethod], jacs: list[FloatAr
         if len(places) > _MOST_MARKS:
             places, counts = np.unique(5 * np.round(values / 5), axis=0, return_counts=True)
         axes.plot((0, 100), (0, 100), color=FAINT, lw=0.8, ls=":")
-        axes.scatter(
-            places[:, 0], places[:, 1], _mark_areas(counts), color=charted[i].colour, alpha=0.55,
-            linewidths=0, clip_on=False,  # most lie at the ends of the axes
-        )  # fmt: skip
+        areas = _mark_areas(counts)
+        for area in np.unique(areas):  # marks of one size share a path
+            axes.scatter(
+                *places[areas == area].T, area, color=charted[i].colour, alpha=0.55, linewidths=0,
+                clip_on=False,  # most lie at the ends of the axes
+            )  # fmt: skip
         axes.set(xlabel=f"{charted[i].label}, JaC %", ylabel=f"{charted[j].label}, JaC %")
         axes.set(xlim=(-3, 103), ylim=(-3, 103), aspect="equal")
 

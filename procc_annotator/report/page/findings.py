@@ -37,7 +37,7 @@ def findings(report: AuditReport) -> list[str]:
 
 def _jac(certainty: Inference, at: int, tau: float) -> float:
     own, column = certainty.sources[at].ratios(MEAN_JAC.key), certainty.thresholds.index(tau)
-    return float(own.parts[:, column].sum() / max(own.denominators[:, column].sum(), 1.0))
+    return own.value(column) or 0.0
 
 
 def _best_at(report: AuditReport, tau: float) -> str:

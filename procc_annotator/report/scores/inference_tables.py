@@ -304,10 +304,7 @@ def strata_table(
         row: list[Value] = [part.value or "(none)", len(part.certainty.sources[0].frames)]
         at = certainty.thresholds.index(tau)
         for source, ends in zip(part.certainty.sources, part.certainty.intervals, strict=True):
-            own = source.ratios("mean_jac")
-            count = float(own.denominators[:, at].sum())
-            row += [float(own.parts[:, at].sum()) / count if count else None]
-            row += interval_ends(ends["mean_jac", tau])
+            row += [source.ratios("mean_jac").value(at), *interval_ends(ends["mean_jac", tau])]
         for (a, b), found in part.differences.get(("mean_jac", tau), {}).items():
             if found.beyond_chance and certainty.can_be_bold(a, b, "mean_jac"):
                 bold.add((len(rows), len(row)))
@@ -345,9 +342,7 @@ def strata_metrics_table(
             for at, tau in enumerate(certainty.thresholds):
                 row: list[Value] = [part.value or "(none)", source.marked_name, tau, frames]
                 for key, ratios in sums.items():
-                    whole = float(ratios.denominators[:, at].sum())
-                    row.append(float(ratios.parts[:, at].sum()) / whole if whole else None)
-                    row += interval_ends(ends[key, tau])
+                    row += [ratios.value(at), *interval_ends(ends[key, tau])]
                 rows.append(tuple(row))
     by_fit = [_BY_FIT] if by in POSED else []
     notes = (f"In brackets {certainty.described}.", *by_fit, *_cautions(parts))
@@ -445,9 +440,7 @@ def annotation_noise_tables(
     for place, source in enumerate(certainty.sources):
         spread, own = click_noise_spread(certainty, place), source.ratios("mean_jac")
         for at, tau in enumerate(certainty.thresholds):
-            whole = float(own.denominators[:, at].sum())
-            jac = _known(float(own.parts[:, at].sum()) / whole) if whole else None
-            rows.append((source.marked_name, tau, jac, *_of_clicks(spread, at)))
+            rows.append((source.marked_name, tau, own.value(at), *_of_clicks(spread, at)))
     note = f"{noise.described} {metrics.CLICK_SHARE.definition}"
     sheets = [
         MetricTable(

@@ -16,7 +16,6 @@ from procc_annotator.formats.csv_tables import encode_rows, escape_formula, unes
 from procc_annotator.report.tables.table import (
     Cell,
     Column,
-    DisplayColumn,
     DisplayTable,
     Metric,
     MetricTable,
@@ -323,7 +322,7 @@ def _span(group: tuple[str, int]) -> str:
     return " & " * (columns - 1)
 
 
-def _heading(column: DisplayColumn, lines: Sequence[str]) -> str:
+def _heading(column: Column, lines: Sequence[str]) -> str:
     texts = [escape_latex(line) for line in lines]
     if column.better:
         texts[-1] = texts[-1].replace(_BETTER[column.better], _ARROWS[column.better])

@@ -109,6 +109,16 @@ class Column:
         """Return whether it stands at the right edge."""
         return self.kind in ("whole", "number")
 
+    @property
+    def better(self) -> Better | None:
+        """Return which of two values is the better one, if either is."""
+        return self.figure.better if self.figure else None
+
+    @property
+    def definition(self) -> str:
+        """Return the definition of its figure."""
+        return self.figure.definition if self.figure else ""
+
     def text(self, value: Value, of_row: Metric | None = None) -> str:
         """A value as it is shown: figures by their digits, True as ``yes``, None as a dash; of text
         None is empty.
@@ -215,17 +225,6 @@ def records(sheet: MetricTable) -> Iterator[dict[str, Value]]:
 
 
 @dataclass(frozen=True, slots=True)
-class DisplayColumn:
-    """A heading, with what is better, where it stands and what it means."""
-
-    heading: str
-    better: Better | None
-    numeric: bool
-    group: str
-    definition: str = ""
-
-
-@dataclass(frozen=True, slots=True)
 class Cell:
     """Text of a cell, and whether it is bold."""
 
@@ -238,7 +237,7 @@ class DisplayTable:
     """Texts of a sheet; columns that are joined share a cell."""
 
     caption: str
-    columns: tuple[DisplayColumn, ...]
+    columns: tuple[Column, ...]
     rows: tuple[tuple[Cell, ...], ...]
     notes: tuple[str, ...]
     parts: tuple[int, ...]
@@ -249,7 +248,7 @@ class DisplayTable:
         return spans(self.columns)
 
 
-def spans(columns: Iterable[DisplayColumn]) -> tuple[tuple[str, int], ...]:
+def spans(columns: Iterable[Column]) -> tuple[tuple[str, int], ...]:
     """Groups of columns with their widths; empty where no column has one."""
     found = tuple((name, len([*own])) for name, own in groupby(columns, lambda c: c.group))
     return found if any(name for name, _ in found) else ()
@@ -257,14 +256,7 @@ def spans(columns: Iterable[DisplayColumn]) -> tuple[tuple[str, int], ...]:
 
 def display_table(sheet: MetricTable) -> DisplayTable:
     """A sheet as texts."""
-    columns = tuple(
-        DisplayColumn(
-            column.heading, column.figure.better if column.figure else None,
-            column.numeric, column.group, column.figure.definition if column.figure else "",
-        )
-        for column in sheet.columns
-        if not column.joined
-    )  # fmt: skip
+    columns = tuple(column for column in sheet.columns if not column.joined)
     rows = tuple(_cells(sheet, at) for at in range(len(sheet.rows)))
     texts = [sheet.caption, *(c.heading + c.group for c in columns)]
     texts += [cell.text for row in rows for cell in row if not cell.text.isascii()]
