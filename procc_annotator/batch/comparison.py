@@ -377,7 +377,9 @@ def _possible(key: str, interval: Interval | None, clusters: float) -> Interval 
 
 def _ratios(frames: Sequence[ComparedFrame]) -> RatioMetrics:
     """(F, K) parts and wholes of `KEYS`."""
-    means = np.column_stack((_medians(frames), _earlier([frame.legacy for frame in frames])))
+    rows = [[getattr(frame.legacy, key, None) for key in EARLIER] for frame in frames]
+    earlier = np.array(rows, dtype=np.float64).reshape(-1, len(EARLIER))
+    means = np.column_stack((_medians(frames), earlier))
     shares = np.array([[frame.compared_share] for frame in frames]).reshape(-1, 1)
     within = np.array([[frame.within or 0.0] for frame in frames]).reshape(-1, 1)
     return RatioMetrics.beside([RatioMetrics.mean(means), RatioMetrics(shares * within, shares)])
@@ -386,21 +388,10 @@ def _ratios(frames: Sequence[ComparedFrame]) -> RatioMetrics:
 def _medians(frames: Sequence[ComparedFrame]) -> FloatArray:
     """(F, 2) medians in metres and px, NaN where there are none."""
     rows = [
-        (np.nan, np.nan)
-        if frame.statistics is None
-        else (_number(frame.statistics.metres.median), _number(frame.statistics.pixels.median))
+        (s.metres.median, s.pixels.median) if (s := frame.statistics) else (None, None)
         for frame in frames
     ]
-    return np.array(rows, dtype=np.float64).reshape(-1, 2)
-
-
-def _earlier(frames: Sequence[LegacyMetrics | None]) -> FloatArray:
-    rows = [[_number(getattr(frame, key, None)) for key in EARLIER] for frame in frames]
-    return np.array(rows, dtype=np.float64).reshape(-1, len(EARLIER))
-
-
-def _number(value: float | None) -> float:
-    return np.nan if value is None else value
+    return np.array(rows, dtype=np.float64).reshape(-1, 2)  # None becomes NaN
 
 
 def _with_interval(value: float) -> float | None:

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.agreement import AgreementInference, ConsensusResult
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.atomic import open_replacing
@@ -152,7 +151,7 @@ def consensus_classes_table(agreed: AgreementReport) -> MetricTable:
     for name in sorted(found):
         pooled = ClassAgreement(
             name,
-            _joined([own for _, own in found[name]]),
+            np.concatenate([np.empty(0), *(own.distances for _, own in found[name])]),
             sum(own.left_out for _, own in found[name]),
         )
         apart = sum(own.apart for _, own in found[name])
@@ -190,10 +189,6 @@ def worst_consensus_table(agreed: AgreementReport) -> MetricTable:
     shown = tuple(rows[:WORST])
     title = f"{worst_words(len(shown))} and annotators at {tau:g} px"
     return MetricTable("worst_frames", title, columns, shown, agreed.described)
-
-
-def _joined(several: Sequence[ClassAgreement]) -> FloatArray:
-    return np.concatenate([np.empty(0), *(own.distances for own in several)])
 
 
 def _counts(figures: Iterable[Metric]) -> list[Column]:

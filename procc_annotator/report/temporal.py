@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 
-from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.grouping import ShotFrames
 from procc_annotator.batch.temporal import OverTimeRun, ShotOverTime, require_shots
@@ -304,7 +303,7 @@ def _all_shots_row(one: TemporalMetrics) -> tuple[Value, ...]:
     shots = one.shots
     row: dict[str, Any] = dict.fromkeys((column.key for column in _OF_SHOT), None)
     frames = sum(len(shot.shot.frames) for shot in shots)
-    jac = _joined([shot.jac for shot in shots])
+    jac = np.concatenate([shot.jac for shot in shots])
     left_out = np.concatenate([shot.broken.unsteady for shot in shots])
     row |= {
         "set": one.set_name,
@@ -314,17 +313,13 @@ def _all_shots_row(one: TemporalMetrics) -> tuple[Value, ...]:
         **dict.fromkeys(FITTED_KEYS[:2], 0),
         **sum((shot.fits for shot in shots), NOT_FITTED).entry(),
         "mean_jac": float(np.nanmean(jac)) if np.isfinite(jac).any() else None,
-        "jitter_px": shot_rms(_joined([shot.steady.px for shot in shots]), left_out),
-        "jitter_m": shot_rms(_joined([shot.steady.ground_m for shot in shots]), left_out),
+        "jitter_px": shot_rms(np.concatenate([shot.steady.px for shot in shots]), left_out),
+        "jitter_m": shot_rms(np.concatenate([shot.steady.ground_m for shot in shots]), left_out),
         "outage_share": sum(shot.outage_share * len(shot.shot.frames) for shot in shots) / frames,
     }
     for key in ("jumps", "outages"):
         row[key] = sum(len(getattr(shot.broken, key)) for shot in shots)
     return tuple(row[column.key] for column in _OF_SHOT)
-
-
-def _joined(parts: Sequence[FloatArray]) -> FloatArray:
-    return np.concatenate(parts)
 
 
 def _frame_rows(one: TemporalMetrics, shot: ShotOverTime) -> list[tuple[Value, ...]]:

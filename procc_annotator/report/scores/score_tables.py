@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import heapq
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
@@ -76,22 +75,17 @@ class WorstFrames:
     """Keeps the frames with the lowest JaC (larger errors first among equals), and only those."""
 
     count: int = 10
-    _heap: list[tuple[float, float, int, FrameRow]] = field(default_factory=list)
-    _seen: int = 0
+    _found: list[FrameRow] = field(default_factory=list)
 
     def add(self, row: FrameRow) -> None:
         """Consider one more frame."""
-        self._seen += 1
-        error = 0.0 if row.mean_error is None else row.mean_error
-        entry = (-row.jac, error, -self._seen, row)
-        if len(self._heap) < self.count:
-            heapq.heappush(self._heap, entry)
-        else:
-            heapq.heappushpop(self._heap, entry)
+        self._found.append(row)
+        self._found.sort(key=lambda r: (r.jac, -(r.mean_error or 0.0)))
+        del self._found[self.count :]
 
     def rows(self) -> list[FrameRow]:
         """The worst frames, the worst first."""
-        return [entry[-1] for entry in sorted(self._heap, reverse=True)]
+        return list(self._found)
 
 
 def tie_notes(several: Mapping[str, Mapping[float, SetSummary]]) -> tuple[str, ...]:
