@@ -28,9 +28,9 @@ from procc_annotator.report.tables.data_files import encoded, metric_entry
 from procc_annotator.report.tables.table import (
     TAU,
     Column,
+    Metric,
     MetricTable,
     Row,
-    Value,
     count_column,
     metric_column,
     metric_values,
@@ -99,17 +99,27 @@ def farthest(frame: FrameAgreement) -> tuple[float | None, str]:
     return largest, name.strip()
 
 
-AGREEMENT_COLUMNS = columns_with_intervals((metrics.JAC, metrics.MEDIAN_PX, metrics.P95_PX))
+def figure_counts(figures: Iterable[Metric]) -> list[Column]:
+    """Counts as columns."""
+    return [count_column(figure.key, figure.title) for figure in figures]
 
 
-def agreement_values(found: AgreementInference, tau: float) -> tuple[Value, ...]:
-    """The values of `AGREEMENT_COLUMNS` at a threshold, px."""
+def agreement_columns(counts: Iterable[Metric]) -> tuple[Column, ...]:
+    """The columns of an agreement with intervals, and of counts."""
+    shown = columns_with_intervals((metrics.JAC, metrics.MEDIAN_PX, metrics.P95_PX))
+    ends = metric_column(metrics.LARGEST_PX), *figure_counts(counts)
+    return (TAU, count_column("frames"), *shown, *ends)
+
+
+def agreement_row(found: AgreementInference, tau: float, counts: Iterable[Metric]) -> Row:
+    """The values of `agreement_columns` at a threshold, px."""
     overall, known = found.summary.overall, found.known
     low, high = interval_ends(known.jac[tau])
     ends = (None if low is None else max(0.0, low), None if high is None else min(1.0, high))
     return (
-        found.summary.mean_jac[tau], *ends,
+        tau, found.summary.frames, found.summary.mean_jac[tau], *ends,
         overall.median, *interval_ends(known.median), overall.p95, *interval_ends(known.p95),
+        overall.largest, *metric_values(counts, overall),
     )  # fmt: skip
 
 
@@ -310,7 +320,7 @@ def _jac_table(agreed: AgreementReport) -> MetricTable:
     columns = (
         TAU,
         metric_column(metrics.JAC),
-        *(count_column(figure.key, figure.title) for figure in counts),
+        *figure_counts(counts),
     )
     found = metric_values(counts, summary.overall)
     rows = tuple((tau, jac, *found) for tau, jac in summary.mean_jac.items())
@@ -330,7 +340,7 @@ def _classes_table(agreed: AgreementReport) -> MetricTable:
         metrics.ONLY_B,
     )
     columns = (
-        Column("class", "class"), *(count_column(count.key, count.title) for count in shown),
+        Column("class", "class"), *figure_counts(shown),
         *map(metric_column, metrics.DISTANCES),
     )  # fmt: skip
     rows = tuple(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path, PurePath
 from string import ascii_uppercase
@@ -16,13 +16,14 @@ from procc_annotator.formats.atomic import open_replacing
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.agreement import ClassAgreement
 from procc_annotator.report.agreement import (
-    AGREEMENT_COLUMNS,
     LONE,
     WORST,
     AgreementReport,
+    agreement_columns,
     agreement_json,
-    agreement_values,
+    agreement_row,
     farthest,
+    figure_counts,
     frame_entry,
     frames_table,
     inter_annotator_entry,
@@ -34,11 +35,9 @@ from procc_annotator.report.scores.score_tables import worst_words
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
 from procc_annotator.report.tables.table import (
-    TAU,
     Column,
     Metric,
     MetricTable,
-    count_column,
     metric_column,
     metric_values,
 )
@@ -118,16 +117,12 @@ def _agreements_table(
     counts: tuple[Metric, ...],
 ) -> MetricTable:
     """A row an agreement and threshold, by what the agreements are of."""
-    columns = (
-        *(Column(h.lower(), h) for h in headings), TAU, count_column("frames"), *AGREEMENT_COLUMNS,
-        metric_column(metrics.LARGEST_PX), *_counts(counts),
-    )  # fmt: skip
+    columns = (*(Column(h.lower(), h) for h in headings), *agreement_columns(counts))
     rows = tuple(
-        (*who, tau, own.summary.frames, *agreement_values(own, tau), own.summary.overall.largest,
-         *metric_values(counts, own.summary.overall))
+        (*who, *agreement_row(own, tau, counts))
         for who, own in found.items()
         for tau in agreed.run.thresholds
-    )  # fmt: skip
+    )
     return MetricTable("", "", columns, rows, agreed.described)
 
 
@@ -144,7 +139,7 @@ def consensus_classes_table(agreed: AgreementReport) -> MetricTable:
                     found.setdefault(name, [])
                     lone[name, key] = lone.get((name, key), 0) + 1
     columns = (
-        Column("class", "class"), *_counts((metrics.POINTS, *_COUNTS)),
+        Column("class", "class"), *figure_counts((metrics.POINTS, *_COUNTS)),
         *map(metric_column, metrics.DISTANCES),
     )  # fmt: skip
     rows = []
@@ -181,7 +176,7 @@ def worst_consensus_table(agreed: AgreementReport) -> MetricTable:
         Column("frame", "frame"),
         Column("annotator", "annotator"),
         metric_column(metrics.JAC),
-        *_counts((metrics.ADDED, metrics.MISSED)),
+        *figure_counts((metrics.ADDED, metrics.MISSED)),
         metric_column(metrics.LARGEST_PX),
         Column("farthest", "farthest element"),
         Column("labels", "labels"),
@@ -189,10 +184,6 @@ def worst_consensus_table(agreed: AgreementReport) -> MetricTable:
     shown = tuple(rows[:WORST])
     title = f"{worst_words(len(shown))} and annotators at {tau:g} px"
     return MetricTable("worst_frames", title, columns, shown, agreed.described)
-
-
-def _counts(figures: Iterable[Metric]) -> list[Column]:
-    return [count_column(figure.key, figure.title) for figure in figures]
 
 
 # ----------------------------------------------------------------------------------------- files

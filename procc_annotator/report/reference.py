@@ -14,22 +14,16 @@ from procc_annotator.batch.grouping import Clusters
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.metrics.agreement import FrameAgreement, sorted_quantile
 from procc_annotator.metrics.statistics.intervals import BootstrapSettings
-from procc_annotator.report.agreement import (
-    AGREEMENT_COLUMNS,
-    agreement_values,
-    intervals_described,
-)
+from procc_annotator.report.agreement import agreement_columns, agreement_row, intervals_described
 from procc_annotator.report.scores.score_files import field_terms, score_format
 from procc_annotator.report.tables import metrics
 from procc_annotator.report.tables.data_files import csv_bytes, json_bytes, table_entry
 from procc_annotator.report.tables.table import (
-    TAU,
     Column,
     MetricTable,
     Row,
     count_column,
     metric_column,
-    metric_values,
 )
 
 _COUNTS = (metrics.COMMON, metrics.APART, metrics.ADDED, metrics.MISSED, metrics.LEFT_OUT)
@@ -73,24 +67,12 @@ class AgainstReference:
         clusters = clusters_of(names)
         self.known[intervals_described(draws, clusters)] = None
         sure = agreement_inference(names, found, run.thresholds, clusters, draws)
-        overall = sure.summary.overall
-        self.rows += [
-            (name, tau, len(found), *agreement_values(sure, tau), overall.largest,
-             *metric_values(_COUNTS, overall))
-            for tau in run.thresholds
-        ]  # fmt: skip
+        self.rows += [(name, *agreement_row(sure, tau, _COUNTS)) for tau in run.thresholds]
         self.frames += [(name, *_frame_row(one, own, run.thresholds)) for one, own in found]
 
     def sheet(self, described: str) -> MetricTable:
         """Return each annotator over all reference frames, a row a threshold."""
-        columns = (
-            Column("annotator", "annotator"),
-            TAU,
-            count_column("frames"),
-            *AGREEMENT_COLUMNS,
-            metric_column(metrics.LARGEST_PX),
-            *(count_column(figure.key, figure.title) for figure in _COUNTS),
-        )
+        columns = (Column("annotator", "annotator"), *agreement_columns(_COUNTS))
         notes = (f"In brackets {'; '.join(self.known)}.",)
         title = "Each annotator against the reference"
         return MetricTable("reference", title, columns, tuple(self.rows), described, notes)

@@ -13,11 +13,7 @@ import numpy as np
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.grouping import ShotFrames
 from procc_annotator.batch.temporal import OverTimeRun, ShotOverTime, require_shots
-from procc_annotator.formats.cameras.fit_record import (
-    FITTED_KEYS,
-    NOT_FITTED,
-    name_with_mark,
-)
+from procc_annotator.formats.cameras.fit_record import FITTED_KEYS, NOT_FITTED, name_with_mark
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.temporal.discontinuities import FrameOffset
 from procc_annotator.metrics.temporal.jitter import shot_rms

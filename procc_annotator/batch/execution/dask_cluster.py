@@ -67,11 +67,7 @@ class DaskCluster:
             self._ending = ending.pop_all()
 
     def map(
-        self,
-        task: Callable[[C], R],
-        chunks: Iterable[C],
-        *,
-        name: Callable[[C], str] = repr,
+        self, task: Callable[[C], R], chunks: Iterable[C], *, name: Callable[[C], str] = repr
     ) -> Iterator[R]:
         """See `Executor.map`."""
         run = uuid.uuid4().hex

@@ -25,11 +25,7 @@ class Executor(Protocol):
     """Maps a task over chunks."""
 
     def map(
-        self,
-        task: Callable[[C], R],
-        chunks: Iterable[C],
-        *,
-        name: Callable[[C], str] = repr,
+        self, task: Callable[[C], R], chunks: Iterable[C], *, name: Callable[[C], str] = repr
     ) -> Iterator[R]:
         """The results in the order of the chunks; chunks are taken as results are.
 
@@ -52,11 +48,7 @@ class InProcess:
     """Does everything here, chunk by chunk, when the result is asked for, with the task itself."""
 
     def map(
-        self,
-        task: Callable[[C], R],
-        chunks: Iterable[C],
-        *,
-        name: Callable[[C], str] = repr,
+        self, task: Callable[[C], R], chunks: Iterable[C], *, name: Callable[[C], str] = repr
     ) -> Iterator[R]:
         """See `Executor.map`."""
         del name  # nobody is lost here

@@ -92,11 +92,7 @@ class ProcessPool:
         self._context = _RememberingContext()
 
     def map(
-        self,
-        task: Callable[[C], R],
-        chunks: Iterable[C],
-        *,
-        name: Callable[[C], str] = repr,
+        self, task: Callable[[C], R], chunks: Iterable[C], *, name: Callable[[C], str] = repr
     ) -> Iterator[R]:
         """See `Executor.map`. A bounded window of chunks is under way, so that memory stays flat
         when results are used up more slowly than they are made.

@@ -23,11 +23,7 @@ from procc_annotator.report.comparison import ComparisonScene
 from procc_annotator.report.overlay_scene import Scene
 from procc_annotator.report.page.charts import draw_charts, jitter_chart
 from procc_annotator.report.page.findings import findings
-from procc_annotator.report.page.overlays import (
-    OverlayDrawer,
-    OverlayPicture,
-    choose_frames,
-)
+from procc_annotator.report.page.overlays import OverlayDrawer, OverlayPicture, choose_frames
 from procc_annotator.report.page.pairs import (
     Pairs,
     ReportedPair,
@@ -50,11 +46,7 @@ from procc_annotator.report.page.report_tables import (
 from procc_annotator.report.tables.data_files import latex_tables
 from procc_annotator.report.tables.metrics import FN, FP, JAC, TP
 from procc_annotator.report.tables.table import MetricTable, definitions, display_table
-from procc_annotator.report.temporal import (
-    TemporalMetrics,
-    breaks_table,
-    terminal_tables,
-)
+from procc_annotator.report.temporal import TemporalMetrics, breaks_table, terminal_tables
 from procc_annotator.resources import resources_dir
 from procc_annotator.version import __version__
 

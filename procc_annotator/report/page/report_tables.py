@@ -15,10 +15,7 @@ from procc_annotator.formats.cameras.fit_record import FITTED_KEYS
 from procc_annotator.report.page.pairs import ReportedPair
 from procc_annotator.report.page.report_data import AuditReport, ReportedSource
 from procc_annotator.report.scores.inference import inference_entries
-from procc_annotator.report.scores.inference_tables import (
-    interval_columns,
-    interval_ends,
-)
+from procc_annotator.report.scores.inference_tables import interval_columns, interval_ends
 from procc_annotator.report.scores.score_files import (
     COUNTS,
     field_terms,

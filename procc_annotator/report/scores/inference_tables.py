@@ -36,6 +36,7 @@ from procc_annotator.report.tables.table import (
 SIGNIFICANT = "significant"
 POINTS = (0.01, 0.02, 0.05)  # differences that a set should tell, as shares
 _POWER = 0.8
+_PAIR = (Column("a", "A"), Column("b", "B"))
 _BY_FIT = (
     "Zoom and side are those of a pinhole (P) fitted to the annotation of each frame, whichever"
     " methods are compared; none: the annotation does not determine it."
@@ -102,8 +103,7 @@ def interval_columns(figure: Metric) -> tuple[Column, Column]:
 def differences_table(certainty: Inference, described: str) -> MetricTable:
     """Every two sources on the frames both have, at every threshold. The verdict stands before the
     figures, where a narrow page shows it."""
-    columns = [TAU, Column("a", "A"), Column("b", "B")]
-    columns.append(Column("verdict", "verdict (JaC)", figure=metrics.VERDICT))
+    columns = [TAU, *_PAIR, Column("verdict", "verdict (JaC)", figure=metrics.VERDICT)]
     for figure, _ in metrics.DIFFERENCES:
         points = figure.unit.replace("%", "points")
         heading = f"{figure.title}, {points}"
@@ -143,8 +143,7 @@ def differences_table(certainty: Inference, described: str) -> MetricTable:
 def held_out_pairs_table(certainty: Inference, described: str) -> MetricTable:
     """Every two fits on the elements that both determine from the others, at every threshold."""
     columns = (
-        TAU, Column("a", "A"), Column("b", "B"),
-        Column("verdict", "verdict", figure=metrics.VERDICT),
+        TAU, *_PAIR, Column("verdict", "verdict", figure=metrics.VERDICT),
         metric_column(metrics.LEFT_OUT_SCORE, key="held_out_a", heading="A held out %"),
         metric_column(metrics.LEFT_OUT_SCORE, key="held_out_b", heading="B held out %"),
         metric_column(metrics.HELD_OUT_DIFFERENCE), *interval_columns(metrics.HELD_OUT_DIFFERENCE),
@@ -204,22 +203,12 @@ def ranks_table(certainty: Inference, described: str) -> MetricTable:
 def power_table(certainty: Inference, described: str) -> MetricTable:
     """Return how many frames a set like this one needs to find differences of 1, 2 and 5 points of
     JaC; of a single source, to know it to 1, 2 and 5 points."""
-    columns = [TAU, Column("a", "A"), Column("b", "B"), defined_count_column(metrics.FRAMES)]
-    columns.append(
-        metric_column(
-            metrics.MINIMUM_DETECTABLE_DIFFERENCE,
-            heading=f"{metrics.MINIMUM_DETECTABLE_DIFFERENCE.title}, points",
-        )
-    )
-    columns += [
-        defined_count_column(
-            metrics.FRAMES_FOR,
-            key=f"frames_for_{100 * p:g}",
-            heading=f"{100 * p:g}",
-            group="frames for points",
-        )
-        for p in POINTS
-    ]
+    least, needs = metrics.MINIMUM_DETECTABLE_DIFFERENCE, metrics.FRAMES_FOR
+    columns = [TAU, *_PAIR, defined_count_column(metrics.FRAMES)]
+    columns.append(metric_column(least, heading=f"{least.title}, points"))
+    for points in (f"{100 * p:g}" for p in POINTS):
+        key, group = f"frames_for_{points}", "frames for points"
+        columns.append(defined_count_column(needs, key=key, heading=points, group=group))
     names = [source.marked_name for source in certainty.sources]
     rows: list[tuple[Value, ...]] = []
     for at, tau in enumerate(certainty.thresholds):
@@ -269,7 +258,7 @@ def _needed(
 
 def curves_table(certainty: Inference, described: str) -> MetricTable:
     """The difference of every two sources over tau, with a band for all of tau at once."""
-    columns = [Column("a", "A"), Column("b", "B"), TAU, metric_column(metrics.JAC_DIFFERENCE)]
+    columns = [*_PAIR, TAU, metric_column(metrics.JAC_DIFFERENCE)]
     columns += interval_columns(metrics.JAC_DIFFERENCE)
     rows: list[tuple[Value, ...]] = []
     for pair in certainty.pairs:
@@ -358,7 +347,7 @@ def strata_differences_table(
     """The differences of every two sources in each part, figure by figure; for files."""
     by = parts[0].by
     names = [source.marked_name for source in certainty.sources]
-    columns = [Column("value", by), TAU, Column("a", "A"), Column("b", "B")]
+    columns = [Column("value", by), TAU, *_PAIR]
     for figure, key in metrics.DIFFERENCES:
         columns += [
             metric_column(figure),
@@ -455,8 +444,7 @@ def annotation_noise_tables(
 def _pairs_table(certainty: Inference, note: str, described: str) -> MetricTable:
     columns = (
         TAU,
-        Column("a", "A"),
-        Column("b", "B"),
+        *_PAIR,
         metric_column(metrics.JAC_DIFFERENCE, heading="A − B, points"),
         metric_column(metrics.JAC_DIFFERENCE, key="moved_difference", heading="points moved"),
         metric_column(metrics.CLICK_DEVIATION),

@@ -169,26 +169,6 @@ def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Metr
     return MetricTable("classes", title, columns, tuple(rows), described, ties)
 
 
-def _set_columns(thresholds: Sequence[float]) -> tuple[Column, ...]:
-    # At the largest threshold it is rarest that mirrored labels score higher by chance.
-    error = metric_column(metrics.MEAN_ERROR, f"@{max(thresholds):g}" if thresholds else "")
-    return (
-        metric_column(metrics.COMPLETENESS),
-        *(metric_column(metrics.MEAN_JAC, f"@{tau:g}") for tau in thresholds),
-        error,
-    )
-
-
-def _set_values(
-    summaries: Mapping[float, SetSummary], thresholds: Sequence[float]
-) -> tuple[float | None, ...]:
-    return (
-        summaries[thresholds[0]].completeness,
-        *(summaries[tau].mean_jac for tau in thresholds),
-        summaries[max(thresholds)].mean_error,
-    )
-
-
 @dataclass(frozen=True)
 class EvaluationRow:
     """One evaluation, or a part of its frames, in a table of several.
@@ -212,19 +192,22 @@ def evaluations_table(
     thresholds = list(rows[0].summaries) if rows else []
     if not common:
         headings = (*headings, "protocol, size")
+    largest = max(thresholds, default=0.0)  # there it is rarest that mirrored labels score higher
     columns = (
         *(Column(heading, heading) for heading in headings), count_column("frames"),
-        *_set_columns(thresholds),
+        metric_column(metrics.COMPLETENESS),
+        *(metric_column(metrics.MEAN_JAC, f"@{tau:g}") for tau in thresholds),
+        metric_column(metrics.MEAN_ERROR, f"@{largest:g}"),
     )  # fmt: skip
     values = tuple(
         (
-            *row.names,
-            *(() if common else (row.described,)),
-            row.summaries[thresholds[0]].images,
-            *_set_values(row.summaries, thresholds),
+            *row.names, *(() if common else (row.described,)), row.summaries[thresholds[0]].images,
+            row.summaries[thresholds[0]].completeness,
+            *(row.summaries[tau].mean_jac for tau in thresholds),
+            row.summaries[largest].mean_error,
         )
         for row in rows
-    )
+    )  # fmt: skip
     ties = tie_notes({" ".join(row.names): row.summaries for row in rows})
     return MetricTable("evaluations", title, columns, values, common, ties)
 
