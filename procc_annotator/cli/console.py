@@ -37,6 +37,8 @@ def terminal_table(sheet: MetricTable) -> Table:
         caption="\n".join(content.notes) or None,
         caption_justify="left",
     )
+    if not content.rows:
+        table.box = None
     for column in content.columns:
         named = f"{column.group}\n{column.heading}" if column.group else column.heading
         table.add_column(named, justify="right" if column.numeric else "left")
