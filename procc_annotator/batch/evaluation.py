@@ -12,13 +12,7 @@ from typing import TypeVar
 
 from procc_annotator.batch.execution.executor import Executor
 from procc_annotator.batch.grouping import Grouping
-from procc_annotator.batch.scoring import (
-    Evaluated,
-    FrameFiles,
-    LeftOutMetrics,
-    ScoreChunk,
-    Tally,
-)
+from procc_annotator.batch.scoring import Evaluated, FrameFiles, LeftOutMetrics, ScoreChunk, Tally
 from procc_annotator.batch.set_run import (
     SetRun,
     annotations_for,

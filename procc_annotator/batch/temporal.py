@@ -13,11 +13,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.arrays import FloatArray, IntArray
 from procc_annotator.batch.execution.executor import Executor
-from procc_annotator.batch.grouping import (
-    NotInOrderError,
-    ShotFrames,
-    require_in_order,
-)
+from procc_annotator.batch.grouping import NotInOrderError, ShotFrames, require_in_order
 from procc_annotator.batch.set_run import (
     AnnotationTask,
     ReopenableHandle,

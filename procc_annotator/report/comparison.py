@@ -31,9 +31,7 @@ from procc_annotator.formats.frame_names import file_of_frame
 from procc_annotator.messages import pluralize
 from procc_annotator.metrics.error_maps import OFFSIDE_ACCURACY_M, Disagreement
 from procc_annotator.metrics.legacy import LegacyMetrics, MetricAverage
-from procc_annotator.metrics.statistics.intervals import (
-    BootstrapSettings,
-)
+from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.metrics.statistics.significance import PairedDifference
 from procc_annotator.report.agreement import intervals_described
 from procc_annotator.report.scores.inference_tables import interval_ends

@@ -11,11 +11,7 @@ from procc_annotator.camera.base import ElementProjections
 from procc_annotator.dataset.annotation_source import open_files
 from procc_annotator.dataset.diagnostics import refuse_other_content
 from procc_annotator.dataset.layout import annotations_or_path
-from procc_annotator.dataset.picture_sizes import (
-    PicturesByName,
-    PictureSizes,
-    picture_size,
-)
+from procc_annotator.dataset.picture_sizes import PicturesByName, PictureSizes, picture_size
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import CameraError, ImageError, UsageError
 from procc_annotator.field.load import field_fingerprint

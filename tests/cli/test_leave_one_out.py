@@ -65,9 +65,8 @@ def test_the_report_tells_them_beside_the_fit(cli, clicked, fits, tmp_path):
     elements = [row for row in rows_in(fits / "held_out.csv") if row["class"]]
     assert len(elements) > 20
     found = json.loads(Path(f"{report}.json").read_text())["sources"][0]["held_out"]
-    frames = {row["name"] for row in elements}
-    counts = found["elements"], found["frames"], found["missing"]
-    assert counts == (len(elements), len(frames), None)
+    frames = len({row["name"] for row in elements})
+    assert (found["elements"], found["frames"], found["missing"]) == (len(elements), frames, None)
     for tau in (2, 6):
         told = found["results"][str(tau)]
         assert told["held_out"] == pytest.approx(passed(elements, "held_out_px", tau))

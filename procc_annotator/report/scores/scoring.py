@@ -29,12 +29,7 @@ from procc_annotator.report.scores.inference import (
     inference_entries,
     statistical_results,
 )
-from procc_annotator.report.scores.score_files import (
-    CsvScores,
-    JsonList,
-    JsonScores,
-    csv_fragment,
-)
+from procc_annotator.report.scores.score_files import CsvScores, JsonList, JsonScores, csv_fragment
 from procc_annotator.report.scores.score_tables import FrameRow, WorstFrames, left_out_entry
 
 
