@@ -12,6 +12,7 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from procc_annotator.arrays import BoolArray, FloatArray
+from procc_annotator.camera.undistortion import fisheye_rays, pinhole_rays
 
 NEAREST_DEPTH_M = 1e-3
 # Far outside the picture the rational model may blow up; such pixels are merely outside.
@@ -53,10 +54,32 @@ class _PosedCamera:
     def ground_from_px(self, points_px: FloatArray) -> FloatArray:
         """(N, 2) px -> (N, 2) metres on the ground, z = 0; NaN at and beyond the horizon, behind
         the camera and outside the lens model's domain."""
-        from procc_annotator.camera import backprojection  # which needs these classes
+        rays = self.rays_cam(np.asarray(points_px, np.float64))
+        position = self.position_world
+        with np.errstate(all="ignore"):
+            along_x, along_y, down = self.rotation_cam_from_world.T @ rays
+            distance = -position[2] / down
+            # What is nearer than this counts as behind the camera.
+            distance[~((distance > 0) & (distance * rays[2] > NEAREST_DEPTH_M))] = np.nan
+            ground = np.empty((len(points_px), 2))
+            ground[:, 0] = position[0] + distance * along_x
+            ground[:, 1] = position[1] + distance * along_y
+            ground[~np.isfinite(ground).all(axis=1)] = np.nan
+        return ground
 
-        assert isinstance(self, PinholeCamera | FisheyeCamera)
-        return backprojection.intersect_rays_with_ground(self, np.asarray(points_px, np.float64))
+    def rays_cam(self, points_px: FloatArray) -> FloatArray:
+        """(N, 2) px -> (3, N) directions in the camera frame; NaN outside the model's domain.
+
+        Where a model folds, the part about the axis counts.
+        """
+        px_x, px_y = points_px.T
+        x = (px_x - self.principal_point_px[0]) / self.focal_px[0]
+        y = (px_y - self.principal_point_px[1]) / self.focal_px[1]
+        with np.errstate(all="ignore"):
+            return self._rays(x, y)
+
+    def _rays(self, x: FloatArray, y: FloatArray) -> FloatArray:
+        raise NotImplementedError
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> Self:
         """The same camera for another picture size; see `size_factors`."""
@@ -85,6 +108,11 @@ class PinholeCamera(_PosedCamera):
     radial: tuple[float, float, float, float, float, float] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     tangential: tuple[float, float] = (0.0, 0.0)
     thin_prism: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+
+    def _rays(self, x: FloatArray, y: FloatArray) -> FloatArray:
+        if not self.is_distorted:
+            return np.array((x, y, np.ones_like(x)))
+        return pinhole_rays(x, y, self.radial, self.tangential, self.thin_prism)
 
     @cached_property
     def is_distorted(self) -> bool:
@@ -196,6 +224,9 @@ class FisheyeCamera(_PosedCamera):
     """
 
     coefficients: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0)
+
+    def _rays(self, x: FloatArray, y: FloatArray) -> FloatArray:
+        return fisheye_rays(x, y, self.radius_of, self.slope_of, self.largest_angle_rad)
 
     @cached_property
     def largest_angle_rad(self) -> float:

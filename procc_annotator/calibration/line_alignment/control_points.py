@@ -20,7 +20,6 @@ from procc_annotator.calibration.optimization.camera_parameters import (
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.optimization.projection import Lens, project
-from procc_annotator.camera.backprojection import rays_cam
 from procc_annotator.camera.models import NEAREST_DEPTH_M, PinholeCamera, rotation_cam_from_world
 from procc_annotator.field.model import Field
 from procc_annotator.image.pixels import PixelArray
@@ -170,7 +169,7 @@ class _ControlPointArrays:
         lines = np.array([peg.along is not None for peg in pegs])
         if with_hand:
             lines[-1] = False
-        rays = rays_cam(camera, np.array([peg.px for peg in pegs], dtype=np.float64))
+        rays = camera.rays_cam(np.array([peg.px for peg in pegs], dtype=np.float64))
         world = np.concatenate([places, places + _DIRECTION_STEP_M * along]).T
         px = (rays[:2] / rays[2]).T * camera.focal_px
         across, both = np.flatnonzero(lines), np.flatnonzero(~lines)
