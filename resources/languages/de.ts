@@ -826,6 +826,11 @@
    <translation>an diese Klicks oder an eine andere Fassung dieser Annotationen angepasst</translation>
   </message>
   <message>
+   <source>closer to these clicks than a prediction can be</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>näher an diesen Klicks, als es eine Vorhersage sein kann</translation>
+  </message>
+  <message>
    <source>by file type and content</source>
    <extracomment>[procc_annotator/formats/cameras/registry.py]</extracomment>
    <translation>nach Dateityp und Inhalt</translation>

@@ -826,6 +826,11 @@
    <translation>ajustada a estos clics o a otra versión de estas anotaciones</translation>
   </message>
   <message>
+   <source>closer to these clicks than a prediction can be</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>más cerca de estos clics de lo que puede estar una predicción</translation>
+  </message>
+  <message>
    <source>by file type and content</source>
    <extracomment>[procc_annotator/formats/cameras/registry.py]</extracomment>
    <translation>según el tipo y el contenido del archivo</translation>

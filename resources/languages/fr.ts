@@ -826,6 +826,11 @@
    <translation>ajustée à ces clics, ou à une autre version de ces annotations</translation>
   </message>
   <message>
+   <source>closer to these clicks than a prediction can be</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>plus proche de ces clics que ne peut l'être une prédiction</translation>
+  </message>
+  <message>
    <source>by file type and content</source>
    <extracomment>[procc_annotator/formats/cameras/registry.py]</extracomment>
    <translation>selon le type et le contenu du fichier</translation>

@@ -818,6 +818,11 @@
    <translation>これらのクリック、またはこれらの注釈の別の版に当てはめたもの</translation>
   </message>
   <message>
+   <source>closer to these clicks than a prediction can be</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>予測ではあり得ないほどこれらのクリックに近い</translation>
+  </message>
+  <message>
    <source>by file type and content</source>
    <extracomment>[procc_annotator/formats/cameras/registry.py]</extracomment>
    <translation>ファイルの種類と内容から判断</translation>

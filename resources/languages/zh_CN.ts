@@ -818,6 +818,11 @@
    <translation>由这些点击或这些标注的另一版本拟合</translation>
   </message>
   <message>
+   <source>closer to these clicks than a prediction can be</source>
+   <extracomment>[procc_annotator/formats/cameras/fit_record.py]</extracomment>
+   <translation>比任何预测都更接近这些点击</translation>
+  </message>
+  <message>
    <source>by file type and content</source>
    <extracomment>[procc_annotator/formats/cameras/registry.py]</extracomment>
    <translation>按文件类型和内容</translation>
