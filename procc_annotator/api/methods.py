@@ -157,4 +157,4 @@ class CamerasInMemory(CameraCollection):
         return ()
 
     def __exit__(self, *failure: object) -> None:
-        pass
+        """Nothing is open."""

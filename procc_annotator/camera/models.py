@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar, Self
@@ -36,7 +37,7 @@ def rotation_cam_from_world(pan_rad: float, tilt_rad: float, roll_rad: float) ->
 
 
 @dataclass(frozen=True)
-class _PosedCamera:
+class _PosedCamera(ABC):
     """Orientation, position, focal lengths and principal point, which both lens models have."""
 
     pan_rad: float
@@ -78,8 +79,9 @@ class _PosedCamera:
         with np.errstate(all="ignore"):
             return self._rays(x, y)
 
+    @abstractmethod
     def _rays(self, x: FloatArray, y: FloatArray) -> FloatArray:
-        raise NotImplementedError
+        """(3, N) directions of image points at depth 1."""
 
     def scaled(self, from_size: tuple[int, int], to_size: tuple[int, int]) -> Self:
         """The same camera for another picture size; see `size_factors`."""

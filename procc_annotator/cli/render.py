@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -25,8 +26,8 @@ from procc_annotator.messages import list_names, pluralize
 from procc_annotator.report.overlay_scene import (
     VIDEO_SUFFIX,
     OverlayLook,
-    OverlayPainter,
     Rendered,
+    Rendering,
     render_pictures,
     render_video,
 )
@@ -116,7 +117,6 @@ def render(
     positions: Positions = None,
     fps: Fps = None,
 ) -> None:
-    look = OverlayLook(scale, legend)
     setup = given.setup(dataset)
     workspace = given.open(dataset, setup)
     camera_set = input_files.open_cameras(cameras, given.camera_format, given.own_size, setup.field)
@@ -124,53 +124,63 @@ def render(
         out, [workspace.annotations, *([camera_set] if camera_set is not None else [])]
     )
     rendering = given.rendering(workspace, setup, camera_set, painted_width=painted_width)
-    single = "" if out.is_dir() else out.suffix.lower()
-    if single not in _FILES:
-        single = ""
-    elif not (single == VIDEO_SUFFIX or (top_view and single in SUFFIXES)):
-        kinds = f"; with --top-view also {', '.join(SUFFIXES)}"
-        raise UsageError(f"{out}: expected a folder, or a name that ends in {VIDEO_SUFFIX}{kinds}")
+    single = _single_file(out, top_view=top_view)
+    suffix = single if single in SUFFIXES else f".{picture_format.value}"
     if positions is not None and not top_view:
         raise UsageError("--positions are drawn from above: add --top-view")
-    suffix = single if single in SUFFIXES else f".{picture_format.value}"
-    painter: OverlayPainter
-    if top_view:
-        if camera_set is None:
-            raise UsageError("--top-view needs --cameras")
-        painter = TopViewPainter(suffix, scale, _positions(positions, workspace))
-    else:
-        painter = overlay_painter(suffix, look)
+    if top_view and camera_set is None:
+        raise UsageError("--top-view needs --cameras")
     if single:
         outputs.check_output_folder(out)
         outputs.check_not_inputs([out], [dataset] if dataset.is_file() else [])
         if out.exists() and not overwrite:
             raise UsageError(f"{out}: exists already, choose another name, or --overwrite")
-    rendered = Rendered(out)
-    count = len(workspace.frames)
+    above = TopViewPainter(suffix, scale, _positions(positions, workspace)) if top_view else None
+    painter = above or overlay_painter(suffix, OverlayLook(scale, legend))
     if single == VIDEO_SUFFIX:
-        for done in with_progress(render_video(rendering, out, painter, fps), count, "drawing"):
-            rendered = done
+        steps = render_video(rendering, out, painter, fps)
+        rendered = _last(steps, rendering)
         echo(f"{pluralize(len(rendered.pictures), 'frame')} written to {out}")
-    elif single:
-        scenes = with_progress(rendering.scenes(rendered), count, "drawing")
-        assert isinstance(painter, TopViewPainter)
-        data = painter.panorama(scenes, count, rendered)
-        if data is None:
-            raise UsageError("nothing to do: no frame has a camera and a picture")
-        write_atomic(out, data)
-        echo(f"written: {out}")
+    elif above is not None and single:
+        rendered = _write_panorama(rendering, above, out)
     else:
         names = (f"{frame.name}{suffix}" for frame in workspace.frames)
         with outputs.replacing_nothing(out, names, "render", overwrite=overwrite):
-            steps = render_pictures(rendering, out, painter, suffix)
-            for done in with_progress(steps, count, "drawing"):
-                rendered = done
+            rendered = _last(render_pictures(rendering, out, painter, suffix), rendering)
         echo(f"{pluralize(len(rendered.pictures), 'picture')} written to {out}")
     remarks.report_notices(rendered.notices)
     if rendered.bare:
         frames = list_names(rendered.bare, "frame")
         remarks.report_remarks([f"neither annotation nor camera, nothing is drawn: {frames}"])
     raise typer.Exit(remarks.report_unreadable(rendered.problems))
+
+
+def _single_file(out: Path, *, top_view: bool) -> str:
+    """The suffix of the one file to write; empty for a folder."""
+    suffix = out.suffix.lower()
+    if out.is_dir() or suffix not in _FILES:
+        return ""
+    if suffix != VIDEO_SUFFIX and not (top_view and suffix in SUFFIXES):
+        kinds = f"; with --top-view also {', '.join(SUFFIXES)}"
+        raise UsageError(f"{out}: expected a folder, or a name that ends in {VIDEO_SUFFIX}{kinds}")
+    return suffix
+
+
+def _last(steps: Iterator[Rendered], rendering: Rendering) -> Rendered:
+    """What was rendered when all steps are done; there is at least one frame."""
+    *_, done = with_progress(steps, len(rendering.workspace.frames), "drawing")
+    return done
+
+
+def _write_panorama(rendering: Rendering, painter: TopViewPainter, out: Path) -> Rendered:
+    rendered, count = Rendered(out), len(rendering.workspace.frames)
+    scenes = with_progress(rendering.scenes(rendered), count, "drawing")
+    data = painter.panorama(scenes, count, rendered)
+    if data is None:
+        raise UsageError("nothing to do: no frame has a camera and a picture")
+    write_atomic(out, data)
+    echo(f"written: {out}")
+    return rendered
 
 
 def _positions(path: Path | None, workspace: Workspace) -> dict[str, FloatArray]:

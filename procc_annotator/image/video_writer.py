@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 from pathlib import Path
-from typing import BinaryIO
+from typing import TYPE_CHECKING, BinaryIO
 
-import av
 import numpy as np
-from av.video.stream import VideoStream
 
 from procc_annotator.errors import SaveError
 from procc_annotator.image.pixels import PixelArray
+
+if TYPE_CHECKING:
+    from av.video.stream import VideoStream
 
 _TIME_BASE = Fraction(1, 90_000)
 _QUALITY = {"crf": "18", "preset": "veryfast"}
@@ -27,6 +30,8 @@ class VideoWriter:
     """
 
     def __init__(self, stream: BinaryIO, path: Path, fps: float) -> None:
+        import av  # loads FFmpeg
+
         self._path = path
         self._container = av.open(stream, "w", format="mp4")
         self._rate = Fraction(fps).limit_denominator(1001)
@@ -43,15 +48,13 @@ class VideoWriter:
         Raises:
             SaveError: encoding or writing failed, or the picture has another size.
         """
+        import av
+
         height, width = pixels.shape[:2]
-        try:
+        with self._named_failures():
             if self._stream is None:
                 self._size = width, height
-                stream = self._container.add_stream("libx264", rate=self._rate, options=_QUALITY)
-                stream.width, stream.height = width + width % 2, height + height % 2
-                stream.pix_fmt = "yuv420p"
-                stream.codec_context.time_base = _TIME_BASE
-                self._stream = stream
+                self._stream = self._begin(width, height)
             if (width, height) != self._size:
                 raise SaveError(
                     f"{self._path}: a picture of {width}x{height} px in a video of"
@@ -63,8 +66,6 @@ class VideoWriter:
             )
             frame.time_base, frame.pts = _TIME_BASE, round(time_s / _TIME_BASE)
             self._container.mux(self._stream.encode(frame))
-        except (av.FFmpegError, OSError) as error:
-            raise SaveError(f"{self._path}: cannot be written: {error}") from error
 
     def close(self) -> None:
         """Finish the file.
@@ -72,9 +73,23 @@ class VideoWriter:
         Raises:
             SaveError: writing failed.
         """
-        try:
+        with self._named_failures():
             if self._stream is not None:
                 self._container.mux(self._stream.encode(None))
             self._container.close()
+
+    def _begin(self, width: int, height: int) -> VideoStream:
+        stream = self._container.add_stream("libx264", rate=self._rate, options=_QUALITY)
+        stream.width, stream.height = width + width % 2, height + height % 2
+        stream.pix_fmt = "yuv420p"
+        stream.codec_context.time_base = _TIME_BASE
+        return stream
+
+    @contextmanager
+    def _named_failures(self) -> Iterator[None]:
+        import av
+
+        try:
+            yield
         except (av.FFmpegError, OSError) as error:
             raise SaveError(f"{self._path}: cannot be written: {error}") from error

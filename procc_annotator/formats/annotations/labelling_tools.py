@@ -124,7 +124,7 @@ class Tool:
         sides = _first(one, self.width), _first(one, self.height)
         if self.usual and sides[0] is None and reading.size_of(frame) is None:
             size, usual = self.usual, f"{self.usual[0]}x{self.usual[1]}"
-            reading.remarks.add(f"the file tells no size of its pictures: {usual} is taken", frame)
+            reading.remarks.add(f"the file states no picture size: {usual} is assumed", frame)
         else:
             size = reading.size_in_file(*sides, path, f"{place}: size")
         pieces = ShapeCollector(path, place, reading, size, frame)

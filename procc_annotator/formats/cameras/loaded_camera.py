@@ -174,7 +174,8 @@ class CameraFormat:
         title: for people.
         suffixes: of the files that may hold it, lower case.
         default_for: the suffixes ``auto`` reads with it.
-        read: ``read(data, path=...)``, the camera of a file that holds one.
+        read: ``read(data, path=...)``, the camera of a file that holds one; None in the table for
+            a format whose content is decoded first, for which `registry` has the reader.
         records: ``records(data, path=...)``, the cameras of a file that holds several, or None for
             a file that holds one; None for a format without such files.
         always_many: whether its files always hold several.
@@ -192,7 +193,7 @@ class CameraFormat:
     title: str
     suffixes: tuple[str, ...]
     default_for: tuple[str, ...]
-    read: Callable[..., LoadedCamera]
+    read: Callable[..., LoadedCamera] | None
     records: Callable[..., CameraRecords | None] | None = None
     always_many: bool = False
     recognises: Callable[[Any], bool] | None = None

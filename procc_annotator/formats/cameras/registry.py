@@ -36,7 +36,6 @@ from procc_annotator.formats.cameras.table import (
     SOCCERNET,
     STORAGE,
     TVCALIB,
-    by_content,
 )
 from procc_annotator.formats.strict_json import json_kind, printable, strip_bom
 from procc_annotator.formats.unread_formats import unread_format
@@ -221,7 +220,7 @@ FORMATS: tuple[CameraFormat, ...] = tuple(
     replace(
         row, read=partial(read_json, name=row.name), records=partial(json_records, name=row.name)
     )
-    if row.read is by_content
+    if row.read is None
     else row
     for row in ROWS
 )
@@ -316,4 +315,6 @@ def read_camera_file(data: bytes, *, path: str, fmt: str = "auto") -> LoadedCame
         CameraError: the file is damaged or of an unknown kind.
         UsageError: no such format.
     """
-    return format_of(path, fmt).read(data, path=path)
+    read = format_of(path, fmt).read
+    assert read is not None  # `FORMATS` has one for every row
+    return read(data, path=path)

@@ -24,7 +24,6 @@ from procc_annotator.formats.cameras.loaded_camera import (
     CameraFormat,
     CameraRecord,
     CameraRecords,
-    LoadedCamera,
     ReadRecord,
 )
 from procc_annotator.formats.cameras.matrix_tables import is_matrix_table, table_records
@@ -46,11 +45,6 @@ _UP_IF_ABOVE = f"{_UP} where the camera stands at z > 0"
 _YARDS = "yards, origin top left; moved to the centre"
 
 
-def by_content(data: bytes, *, path: str) -> LoadedCamera:
-    """Placeholder of a row that reads decoded content; `registry` puts its reader here."""
-    raise NotImplementedError(path)
-
-
 _Recognises = Callable[[Any], bool] | None
 _Many = Callable[[Any, str], CameraRecords | None]
 
@@ -60,7 +54,7 @@ def _row(
     one: ReadRecord | None, many: _Many, suffixes: tuple[str, ...] = JSON,
 ) -> CameraFormat:  # fmt: skip
     return CameraFormat(
-        name, title, suffixes, (), by_content, None, one is None, recognises, one, many,
+        name, title, suffixes, (), None, None, one is None, recognises, one, many,
         keys=keys, world=world, example=example,
     )  # fmt: skip
 
