@@ -78,7 +78,7 @@ def fit_model(
     """Fit a model, from a start if there is one that serves.
 
     Args:
-        scene: what is fitted; for H the points on the ground.
+        scene: for H the points on the ground.
         model: H, P, R, R+, R2 or F.
         start: a camera that is nearly right, px of the picture.
         searched: the result of `search_cameras`, if already known; see `searched_model`.
@@ -148,19 +148,12 @@ def select_model(
     scene: FitScene, start: Camera | None, searched: CameraSolution | None = None
 ) -> FitResult:
     """Fit the simplest of the models P, R and R+ that the points support; R2 or F where lines are
-    bent as none of these explains.
+    bent as none of these explains. The result has `chosen_because`.
 
     The models are fitted to the same elements and compared by their evidence, the probability of
     the points given a model (Laplace's approximation: MacKay, Bayesian Interpolation, 1992). What
-    a parameter costs follows from its prior and from how sharply the points determine it.
-
-    Args:
-        scene: what is fitted.
-        start: a camera that is nearly right, px of the picture.
-        searched: see `fit_model`.
-
-    Returns:
-        The fit, as `fit_camera` gives it for the model that was chosen, with `chosen_because`.
+    a parameter costs follows from its prior and from how sharply the points determine it. Start
+    and search are those of `fit_model`.
     """
     field, frame = scene.field, scene.frame
     strong = _refit_wide_angle(scene, start)
@@ -385,15 +378,7 @@ def fit_camera(
 
 def fit_cameras(given: Sequence[FitRequest], *, model: str = "R") -> list[FitResult]:
     """Fit a camera to each of several frames, without starts: the same as `fit_camera`, in less
-    time, since the searches of all frames are solved together.
-
-    Args:
-        given: of each frame the annotation, the elements and the size of the picture.
-        model: see `fit_camera`.
-
-    Raises:
-        UsageError: no such model, or a size without pixels.
-    """
+    time, since the searches of all frames are solved together."""
     scenes = [_scene(request, model) for request in given]
     fitted = [scene for scene in scenes if not isinstance(scene, FitResult)]
     searched: Iterator[CameraSolution | None] = repeat(None)

@@ -82,15 +82,8 @@ class ElementResidual:
         return max(self.distances_px if self.counted_px is None else self.counted_px)
 
     def distances_of(self, polyline: Polyline, size: tuple[int, int]) -> dict[int, float]:
-        """Place in the polyline -> distance, px, of the points that have one.
-
-        Args:
-            polyline: the one that was fitted.
-            size: (width, height) px of the picture.
-
-        Returns:
-            Nothing for another polyline, which has more points or fewer.
-        """
+        """Place in the polyline -> distance, px of a picture of this size, of the points that have
+        one; nothing for another polyline than the fitted one, which has more points or fewer."""
         places = used_point_indices(polyline, ImageFrame(size)).tolist()
         if len(places) != len(self.distances_px):
             return {}
@@ -181,10 +174,7 @@ class FitResult:
         return tuple(e.name for e in self.elements if e.left_out)
 
     def projected_covariance(self, points_world: FloatArray) -> FloatArray:
-        """Return how surely the fit knows where field points appear.
-
-        Args:
-            points_world: (N, 3) metres, world frame.
+        """Return how surely the fit knows where field points (N, 3), metres, appear.
 
         Returns:
             (N, 2, 2) px squared; NaN for points that the camera does not show, and for all of them
@@ -257,11 +247,8 @@ class FitResult:
 
     @classmethod
     def restored(cls, camera: PosedCamera, record: Any) -> FitResult | None:
-        """A fit with its covariance from `uncertainty`, as a file holds it; None if it is none.
-
-        Args:
-            camera: in px of the record's size.
-        """
+        """A fit with its covariance from `uncertainty`, as a file holds it; None if it is none. The
+        camera is in px of the record's size."""
         try:
             width, height, aspect = (float(v) for v in (*record["size"], record["pixel_aspect"]))
             vector = np.array(record["vector"], dtype=np.float64)
@@ -379,12 +366,7 @@ class ExternalCameraFit(FitResult):
 def external_camera_fit(
     camera: PinholeCamera | HomographyCamera, size: tuple[int, int]
 ) -> ExternalCameraFit:
-    """A camera in px of a picture, with what it may be off by in this picture.
-
-    Args:
-        camera: in px of the picture.
-        size: (width, height) px.
-    """
+    """A camera in px of a picture, with what it may be off by in this picture."""
     return ExternalCameraFit("given", size, camera, error_px=_ASSUMED_SD_PX * (size[0] - 1) / 959)
 
 
@@ -396,15 +378,7 @@ def fit_result_from(
     found: CameraSolution, field: Field, frame: ImageFrame, model: str, warm: bool
 ) -> FitResult:
     """Return what a fit hands back: its camera with residuals and uncertainty, or what speaks
-    against it.
-
-    Args:
-        found: the fit.
-        field: the elements, metres.
-        frame: the picture.
-        model: H, P, R or R+.
-        warm: whether it came from a start.
-    """
+    against it; ``warm``: whether it came from a start."""
     problem = _failure_reason(found, field)
     if problem is not None:
         return FitResult(model, frame.size, None, problem)

@@ -23,13 +23,9 @@ _MAX_NOISE, _MAX_QUANTILE = 2.0, 3.0
 
 
 def noise_factor(squares: float, spare: int) -> float:
-    """Return how many times as far off as expected clicks are, drawn towards 1 if there is
-    little data.
-
-    Args:
-        squares: sum of the squares of residuals, in standard deviations of a click.
-        spare: how many more residuals than unknowns there are.
-    """
+    """Return how many times as far off as expected clicks are, drawn towards 1 if there is little
+    data: the squares of residuals, in standard deviations of a click, have ``spare`` more than
+    unknowns."""
     return math.sqrt((_PRIOR_WEIGHT + squares) / (_PRIOR_WEIGHT + spare))
 
 
@@ -411,14 +407,11 @@ def compare_with_survey(
     *,
     estimate_noise: bool = True,
 ) -> SurveyAgreement:
-    """Compare a place that was surveyed with its clicks.
+    """Compare a place that was surveyed, metres and (3, 3) m^2 if known, with its clicks; cameras
+    that know only the ground say nothing.
 
-    Args:
-        views: one click each; cameras that know only the ground say nothing.
-        position: metres.
-        covariance: (3, 3) m^2 of the position, if it is known.
-        estimate_noise: as of `triangulate`; the place that the clicks themselves determine shows
-            how far they are off.
+    The place that the clicks themselves determine shows how far they are off if
+    ``estimate_noise``, see `triangulate`.
     """
     able = [view for view in views if not projects_only_ground(view.camera)]
     noise = min(max(triangulate(able, estimate_noise=estimate_noise).noise, 1.0), MAX_NOISE)

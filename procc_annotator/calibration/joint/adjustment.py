@@ -119,7 +119,6 @@ def reduce_frame(
         vector: (11,) of the camera.
         residuals: of it, with derivatives by the shared parameters first, then by ``own``.
         weights: (N,) of the points; 0 for those that have no say.
-        prior: on the camera.
         own: (n,) its own parameters, as indices of ``vector``.
     """
     costs, robust = FINAL_LOSS.cost_and_weight(residuals.distances[0])
@@ -182,14 +181,8 @@ def solve_shared(
     vectors: Sequence[FloatArray],
     prior: SharedParameterPrior,
 ) -> SharedSolution:
-    """Minimise the cost of all frames over the parameters they share.
-
-    Args:
-        profiler: shared parameters (s,) and nearly right cameras -> the frames' profiles.
-        start: (s,) shared parameters to start from.
-        vectors: (11,) of each frame's camera to start from.
-        prior: on the shared parameters.
-    """
+    """Minimise the cost of all frames over the s parameters they share, from a start (s,) and a
+    camera (11,) of each frame."""
     values = np.clip(start, prior.lowest, prior.highest)
     profiles = profiler(values, vectors)
     cost = _total_cost(values, profiles, prior)
@@ -308,13 +301,7 @@ class FrameObservations:
 def frame_observations(
     annotation: FrameAnnotation, fit: FitResult, field: Field
 ) -> FrameObservations:
-    """A frame as its own fit sees it.
-
-    Args:
-        annotation: what was fitted.
-        fit: has a pinhole camera.
-        field: the elements.
-    """
+    """A frame as its own fit, which has a pinhole camera, sees it."""
     frame = fit.frame
     seen = build_observations(annotation, field, frame)
     if seen is None or fit.vector is None:
@@ -332,7 +319,6 @@ def prior_at_position(
 
     Args:
         vector: (11,) a camera at that position, nearly right.
-        field: where cameras stand around it.
         free: number of the model's parameters.
         usual: what is known of the camera besides.
     """
@@ -357,14 +343,8 @@ def fit_at_position(
     *,
     usual: LensAndRollPrior | None = None,
 ) -> CameraSolution:
-    """The camera of a frame at a known position, from one that is nearly right.
-
-    Args:
-        sighting: the frame.
-        position: (3,) metres.
-        field: the elements.
-        usual: what is known of the camera besides.
-    """
+    """The camera of a frame at a known position (3,), metres, from one that is nearly right;
+    ``usual``: what is known of it besides."""
     start = sighting.vector.copy()
     start[POSITION_PARAMETERS] = position
     prior = prior_at_position(start, field, FREE_PARAMETERS[sighting.model], usual)
@@ -377,14 +357,7 @@ def search_at_position(
     field: Field,
     usual: LensAndRollPrior | None = None,
 ) -> CameraSolution:
-    """The camera of a frame at a known position, without a start.
-
-    Args:
-        sighting: the frame; its vector does not matter.
-        position: (3,) metres.
-        field: the elements.
-        usual: what is known of the camera besides.
-    """
+    """As `fit_at_position`, without a start: the vector of the frame does not matter."""
     starts = initial_cameras_at_position(position, sighting.seen, field)
     prior = prior_at_position(starts[0], field, FREE_PARAMETERS["P"], usual)
     first = _fit_at_position(
@@ -450,14 +423,8 @@ def frame_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
 def fit_result_at_position(
     found: CameraSolution, sighting: FrameObservations, field: Field, covariance: FloatArray
 ) -> FitResult:
-    """The result of a fit at a known position, which is itself uncertain.
-
-    Args:
-        found: from `fit_at_position` or `search_at_position`.
-        sighting: the frame.
-        field: the elements.
-        covariance: (3, 3) of the position, metres squared.
-    """
+    """The result of a fit at a known position, which is itself uncertain: its covariance (3, 3),
+    metres squared."""
     result = fit_result_from(found, field, sighting.frame, sighting.model, False)
     if result.covariance is None or result.of_clicks is None or result.if_shared is None:
         return result

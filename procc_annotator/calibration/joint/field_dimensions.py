@@ -110,15 +110,8 @@ def residuals_by_dimensions(
     free: int,
     rates: GeometryDerivatives,
 ) -> Residuals:
-    """Residuals of one camera, with derivatives by D dimensions of the field, then by its own.
-
-    Args:
-        vector: (11,) pinhole parameters.
-        seen: N points.
-        half_diagonal: half the picture's diagonal, solver px.
-        free: derivatives by the first so many parameters.
-        rates: how the elements move with the dimensions.
-    """
+    """Residuals of one camera (11,), with derivatives by D dimensions of the field, then by the
+    first ``free`` of its own parameters; ``half_diagonal`` is the picture's, solver px."""
     lens = Lens.of(vector[None], half_diagonal)
     feet = with_folded_hidden(
         find_closest_points(lens.linear, lens.undistorted(seen.points), seen), lens
@@ -245,7 +238,6 @@ def fittable_dimensions(field: Field, names: Sequence[str] | None = None) -> tup
     """Names of dimensions that can be fitted.
 
     Args:
-        field: has them.
         names: those that are wanted. If it is None: length and width, where the rules leave them
             open; else all that they leave open.
 

@@ -88,15 +88,8 @@ def is_compatible_position(
     covariances: FloatArray,
     reach: float,
 ) -> NDArray[np.bool_]:
-    """(F,) whether a position may be that of each of some frames, for how surely they are known.
-
-    Args:
-        position: (3,) metres.
-        covariance: (3, 3) of it, metres squared.
-        positions: (F, 3) metres.
-        covariances: (F, 3, 3) metres squared.
-        reach: metres from the usual camera to the field's centre.
-    """
+    """(F,) whether a position (3,) may be that of each of some frames, for how surely they are
+    known; the other arguments are those of `cluster_positions`."""
     means = np.concatenate([position[None], positions])
     spreads = np.concatenate([covariance[None], covariances]) + _tolerance_covariance(
         POSITION_TOLERANCE_SHARE, reach
@@ -150,13 +143,8 @@ class OppositeSideFrames:
 def find_opposite_side_frames(
     positions: FloatArray, covariances: FloatArray, around: CameraPlacementPrior
 ) -> OppositeSideFrames:
-    """Report the frames on the other side of a field that half a turn takes to itself.
-
-    Args:
-        positions: (F, 3) metres, of the frames' own fits.
-        covariances: (F, 3, 3) metres squared.
-        around: the field's surroundings.
-    """
+    """Report the frames on the other side of a field that half a turn takes to itself, by the
+    positions (F, 3), metres, and covariances (F, 3, 3), metres squared, of their own fits."""
     sides = np.array([_side_of_position(position, around) for position in positions], dtype=np.intp)
     turned: dict[int, int] = {}
     minority: set[int] = set()

@@ -130,7 +130,6 @@ def fit_shared_position(
     Args:
         annotations: frame -> normalised points.
         alone: frame -> its own fit (P, R or R+) to that, or why there is none.
-        field: the elements.
         on_step: called every few milliseconds; may raise to stop.
 
     Raises:
@@ -203,8 +202,6 @@ def fit_at_known_position(
     """Fit a camera whose position is known; two elements are enough if they say enough.
 
     Args:
-        annotation: normalised points.
-        field: the elements.
         tripod: the position, and what roll and lens usually are there.
         model: P, R or R+.
         size: (width, height) px of the picture.

@@ -52,15 +52,8 @@ def distances_to_classes(
     *,
     as_counted: bool = False,
 ) -> dict[str, FloatArray]:
-    """Distances of a polyline's distinct points to elements as a camera shows them.
-
-    Args:
-        polyline: n points.
-        names: classes of the field.
-        field: the elements.
-        frame: the picture.
-        vector: (11,) pinhole parameters.
-        as_counted: those to landmarks that are not known exactly count less, as in a fit.
+    """Distances of a polyline's n distinct points to classes of the field as a camera (11,) shows
+    them; with ``as_counted`` those to landmarks that are not known exactly count less, as in a fit.
 
     Returns:
         Class -> (n,) solver px; nothing if the polyline has no usable point.
@@ -139,13 +132,8 @@ def farthest_point(
 
 
 def uncertain_landmarks(field: Field, vector: FloatArray) -> frozenset[str]:
-    """Landmarks that may be anywhere within more than what a label is judged by: that they fit
-    says nothing for a camera.
-
-    Args:
-        field: the elements.
-        vector: (11,) pinhole parameters.
-    """
+    """Landmarks that a camera (11,) may show anywhere within more than what a label is judged by:
+    that they fit says nothing for it."""
     spreads = landmark_covariances(field)
     marks = [e for e in field.elements if e.name in spreads and isinstance(e.geometry, Spot)]
     if not marks:
@@ -176,14 +164,10 @@ def refit_all_points(
     loss: RobustLoss = HUBER_LOSS,
     without: Collection[str] = (),
 ) -> dict[str, float]:
-    """Fit a pinhole from a camera that is nearly right; nothing is taken for a mistake.
+    """Fit a pinhole P, R or R+ from a camera (11,) that is nearly right; nothing is taken for a
+    mistake.
 
     Args:
-        annotation: normalised points.
-        field: the elements.
-        frame: the picture.
-        vector: (11,) where to begin.
-        model: P, R or R+.
         loss: of a point's distance.
         without: classes that have no say; their distances are given all the same.
 
@@ -220,15 +204,8 @@ def leave_one_out_errors(
 ) -> tuple[float, float] | None:
     """Leave-one-out: how far the other elements are off when all count, and without some.
 
-    Both fits are plain least squares: a robust fit would hardly notice the mistake.
-
-    Args:
-        annotation: normalised points.
-        wrong: the classes in question.
-        field: the elements.
-        frame: the picture.
-        vector: (11,) the camera without the mistakes, where both fits begin.
-        model: P, R or R+.
+    Both fits are plain least squares from the camera (11,) without the mistakes: a robust fit
+    would hardly notice them.
 
     Returns:
         Mean over the other elements of each one's largest distance, solver px, with and without

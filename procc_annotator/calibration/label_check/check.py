@@ -88,15 +88,13 @@ def check_labels(
 
     Args:
         annotation: normalised points; unconfirmed elements take no part.
-        field: the elements.
         size: (width, height) px of the picture.
         fit: the camera fitted to this annotation, or its failure.
         go_on: called before each further fit; raises whatever it likes when no one wants the rest.
 
     Returns:
         At most one finding about each mistake: what the camera explains is not reported again by
-            rules
-        that need none.
+        rules that need none.
     """
     frame = ImageFrame(size, field.pixel_aspect)
     if len(suspect_elements(fit, frame)) >= MANY_OUTLIERS and fit.model not in WIDE_ANGLE_MODELS:
@@ -129,7 +127,7 @@ def add_line_evidence(
 
     Args:
         findings: of this annotation, without the picture.
-        annotation, field, size, fit: as of `check_labels`; a failure where no camera was asked for.
+        fit: as of `check_labels`; a failure where no camera was asked for.
         paint: class -> what the picture shows along it.
     """
     if any(f.rule is Rule.PIXELS for f in findings):
@@ -145,11 +143,7 @@ def add_line_evidence(
 def check_without_camera(
     annotation: FrameAnnotation, field: Field, *, size: tuple[int, int]
 ) -> tuple[Finding, ...]:
-    """Return what can be seen without a camera to be wrong with a frame's labels, the surest first.
-
-    Args:
-        annotation, field, size: as of `check_labels`.
-    """
+    """Return what can be seen without a camera to be wrong with a frame's labels, surest first."""
     no_fit = FitResult("", size, None, failure="not asked for")
     evidence = FrameEvidence(annotation, field, ImageFrame(size, field.pixel_aspect), no_fit)
     return tuple(
@@ -240,13 +234,8 @@ class OppositeSideFrame:
 def find_opposite_frames(
     stands: Mapping[str, FittedPosition], field: Field
 ) -> dict[str, OppositeSideFrame]:
-    """The frames of a set whose camera stands on the other side from the rest.
-
-    Args:
-        stands: of the frames with a camera.
-        field: of a field that half a turn does not take to itself nothing is reported: there the
-            labels of one frame give the side.
-    """
+    """The frames of a set whose camera stands on the other side from the rest. Of a field that
+    half a turn does not take to itself none is reported: the labels of one frame give the side."""
     if field.half_turn is None or not stands:
         return {}
     names = list(stands)
@@ -264,13 +253,7 @@ def opposite_side_finding(
     annotation: FrameAnnotation, field: Field, found: OppositeSideFrame
 ) -> Finding | None:
     """Return the finding for a frame on the other side; None where its labels say which side it is
-    of.
-
-    Args:
-        annotation: of the frame.
-        field: its elements, with the half turn.
-        found: what the set says of it.
-    """
+    of."""
     turn = field.half_turn
     names = [name for name in annotation.annotated if field.element(name) is not None]
     # A mark before the team benches, or a landmark, is on one side only.

@@ -97,12 +97,8 @@ class LineEvidence:
         return float(max(runs, default=0.0))
 
     def ends_at(self, end: int, gap_px: float) -> bool:
-        """Return whether paint that can be seen along the element cannot be seen beyond an end.
-
-        Args:
-            end: 0 or -1.
-            gap_px: over so much beyond it, half of which must show none.
-        """
+        """Return whether paint that can be seen along the element cannot be seen beyond an end
+        (0 or -1): half of ``gap_px`` beyond it must show none."""
         distances, offsets = self.ahead[end]
         near = distances <= gap_px
         if self.missing_share > 0.5 or not near.any():
@@ -263,12 +259,8 @@ PLAUSIBLE_KAPPAS = np.linspace(MIN_KAPPA, 0.3, 8)
 
 
 def undistort_points(points: FloatArray, kappa: float, frame: ImageFrame) -> FloatArray:
-    """Points as a lens of radial coefficient 0 would show them.
-
-    Args:
-        points: (n, 2) solver px, origin at the picture's centre.
-        kappa: radial coefficient.
-        frame: the picture.
+    """Points (n, 2), solver px from the picture's centre, as a lens of radial coefficient 0 would
+    show them.
 
     Returns:
         (n, 2) solver px: the solution r of r (1 + kappa r^2 / h^2) = distance. What a lens of
@@ -288,16 +280,8 @@ def line_residuals(points: FloatArray) -> FloatArray:
 
 
 def min_line_residuals(points: FloatArray, frame: ImageFrame) -> float:
-    """Return how far points lie next to a straight line, seen through the lens that helps them
-    most.
-
-    Args:
-        points: (n, 2) solver px, origin at the picture's centre; at least 3.
-        frame: the picture.
-
-    Returns:
-        The largest distance, solver px.
-    """
+    """Return how far, solver px, the farthest of three or more points (n, 2), solver px from the
+    picture's centre, lies next to a straight line, seen through the lens that helps them most."""
     return min(
         float(np.abs(line_residuals(undistort_points(points, kappa, frame))).max())
         for kappa in PLAUSIBLE_KAPPAS.tolist()

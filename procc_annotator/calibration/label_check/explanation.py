@@ -134,12 +134,8 @@ class Explanation:
 def best_explanation(
     doubted: SuspectFrame, fit: FitResult, suspects: Collection[str]
 ) -> Explanation | None:
-    """The best explanation of a fit that does not fit.
-
-    Args:
-        doubted: the annotation.
-        fit: its robust fit, or its failure.
-        suspects: the elements that are off under that fit.
+    """The best explanation of a robust fit, or its failure, that does not fit; ``suspects`` are the
+    elements that are off under it.
 
     Returns:
         None where too few elements are left to say; an explanation without mistakes where a

@@ -24,11 +24,7 @@ class Severity(StrEnum):
 
 
 def severity_from_name(name: str) -> Severity:
-    """The severity of this name.
-
-    Raises:
-        UsageError: there is none.
-    """
+    """The severity of this name; UsageError if there is none."""
     try:
         return Severity(name.strip().lower())
     except ValueError:

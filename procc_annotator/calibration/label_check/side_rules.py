@@ -77,11 +77,7 @@ class OrientationRelations:
 
 @lru_cache(maxsize=4)
 def orientation_relations(elements: tuple[Element, ...]) -> OrientationRelations:
-    """The relations of a field.
-
-    Args:
-        elements: of the field; those off the ground are left out.
-    """
+    """The relations of a field's elements; those off the ground are left out."""
     ground = [element for element in elements if element.on_ground]
     things = [_outline(element) for element in ground]
     corners: list[Corner] = []
@@ -135,14 +131,8 @@ def _definite_sign(least: FloatArray, most: FloatArray) -> NDArray[np.int8]:
 
 
 def signed_altitudes(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
-    """Signed smallest altitude of triangles: no corner moved by less than half of it turns them.
-
-    Args:
-        a, b, c: (..., 2) corners.
-
-    Returns:
-        (...) positive where a, b, c go from the x axis towards the y axis.
-    """
+    """Signed smallest altitude (...) of triangles with corners (..., 2): no corner moved by less
+    than half of it turns them. Positive where a, b, c go from the x axis towards the y axis."""
     doubled = _cross_2d(b - a, c - a)
     longest = np.maximum(
         np.maximum(((b - a) ** 2).sum(axis=-1), ((c - a) ** 2).sum(axis=-1)),
@@ -212,13 +202,8 @@ class Contradictions:
 def contradictions(
     clicked: Sequence[AnnotatedElement], field: Field, frame: ImageFrame
 ) -> Contradictions:
-    """Return what in a picture contradicts the field, whatever the camera and the lens.
-
-    Args:
-        clicked: annotated elements; those off the ground take no part.
-        field: the elements.
-        frame: the picture.
-    """
+    """Return what in a picture contradicts the field, whatever the camera and the lens; elements
+    off the ground take no part."""
     found = [
         _contradictions_at(clicked, orientation_relations(field.elements), k, frame)
         for k in _TRIAL_KAPPAS

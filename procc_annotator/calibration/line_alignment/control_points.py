@@ -116,12 +116,8 @@ def control_point_errors(camera: PinholeCamera, pegs: Sequence[ControlPoint]) ->
 
 
 def rotated_camera(camera: PinholeCamera, change: FloatArray) -> PinholeCamera:
-    """A camera turned and zoomed where it stands; its lens bends the picture as before.
-
-    Args:
-        camera: to begin with.
-        change: (4,) of pan, tilt, rad; of the logarithm of the focal length; of roll, rad.
-    """
+    """A camera turned and zoomed where it stands by a change (4,) of pan, tilt, rad; of the
+    logarithm of the focal length; of roll, rad. Its lens bends the picture as before."""
     pan, tilt, zoom, roll = change.tolist()
     times = float(np.exp(zoom))
     k1, k2, k3, k4, k5, k6 = camera.radial
@@ -256,7 +252,6 @@ def align_with_control_points(
 
     Args:
         picture: (H, W, 4) BGRA.
-        field: the elements.
         camera: that shows the pegs where they are, px of the picture.
         pegs: at least one.
         go_on: called between the tries; raises whatever it likes when no one wants the rest.

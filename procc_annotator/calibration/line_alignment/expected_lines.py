@@ -60,12 +60,8 @@ class MarkingPoints:
 
 
 def marking_points(field: Field) -> MarkingPoints:
-    """The places of a field's paint.
-
-    Args:
-        field: its elements are taken for the middle of their paint, as they are where clicks are
-            put there: anyone who wants them where they are painted asks for ``lines = middle``.
-    """
+    """The places of a field's paint. Its elements are taken for the middle of their paint, as they
+    are where clicks are put there: for where they are painted, use ``lines = middle``."""
     return _marking_points(field.elements)
 
 
@@ -171,15 +167,8 @@ class ExpectedLinePoints:
 def expected_line_points(
     vector: FloatArray, painted: MarkingPoints, frame: ImageFrame, spacing_px: float
 ) -> ExpectedLinePoints:
-    """Return what of the paint a camera has in its picture.
-
-    Args:
-        vector: (11,) of the camera.
-        painted: the field's paint.
-        frame: the picture.
-        spacing_px: between two places, solver px; where the paint's places are farther apart, those
-            are taken.
-    """
+    """Return what of the paint a camera (11,) has in its picture, ``spacing_px`` solver px apart;
+    where the paint's places are farther apart, those are taken."""
     lens = Lens.of(vector[None], frame.half_diagonal)
     px, shown = (one[0] for one in project_visible(lens, painted.world))
     limit = (np.array(frame.size)[:, None] - 1) / 2 * frame.scale - _IMAGE_MARGIN_PX

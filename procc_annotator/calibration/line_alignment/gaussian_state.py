@@ -77,16 +77,11 @@ class EdgePoints:
 def edge_point_errors(
     vectors: FloatArray, marks: EdgePoints, half_diagonal: float, free: int = PARAMETERS_FREE
 ) -> tuple[FloatArray, FloatArray]:
-    """Return how far marks are from where cameras show them, across.
-
-    Args:
-        vectors: (B, 11) cameras.
-        marks: n places.
-        half_diagonal: half the picture's diagonal, solver px.
-        free: derivatives by the first so many parameters.
+    """Return how far n marks are from where cameras (B, 11) show them, across.
 
     Returns:
-        (B, n) solver px, and (B, n, free) derivatives of where the cameras show them.
+        (B, n) solver px, and (B, n, free) derivatives of where the cameras show them, by the first
+        ``free`` parameters.
     """
     lens = Lens.of(vectors, half_diagonal)
     places = marks.world.astype(np.float64)
@@ -161,13 +156,9 @@ def update_state(
     error_px: float,
     scale_px: float,
 ) -> StateUpdate:
-    """The best camera for marks and a belief, robustly.
+    """The best camera for n marks of paint and a belief before them, robustly, from a start (11,).
 
     Args:
-        marks: n places of paint.
-        belief: before them.
-        start: (11,) parameters to start from.
-        half_diagonal: half the picture's diagonal, solver px.
         error_px: standard deviation of a mark, solver px; what weighs them against the belief.
         scale_px: marks farther off than this count less and less; halved from step to step until
             it is that of marks on the same paint.
@@ -269,15 +260,8 @@ def fit_from_covariance(
     error_px: float,
     elements: tuple[ElementResidual, ...] = (),
 ) -> FitResult:
-    """A camera of known covariance as a fit.
-
-    Args:
-        vector: (11,) parameters.
-        covariance: (8, 8) of the free ones.
-        frame: the picture.
-        error_px: standard deviation of a mark, solver px.
-        elements: what remains of theirs.
-    """
+    """A camera (11,) as a fit, with the covariance (8, 8) of its free parameters and the standard
+    deviation of a mark, solver px."""
     return FitResult(
         "R",
         frame.size,

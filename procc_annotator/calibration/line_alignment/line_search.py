@@ -31,14 +31,11 @@ _WIDTHS_PX = np.arange(0.25, 2.01, 0.25)
 
 
 def line_centres(cuts: Values, width_px: FloatArray) -> FloatArray:
-    """Return how far the middles of lines lie from those of their cuts.
+    """Return how far, px (n,), the middles of lines lie from those of their cuts.
 
     Args:
         cuts: (n, 2 * `PROFILE_HALF_SAMPLES` + 1, c) values in c colours, `STEP_PX` apart.
         width_px: (n,) of the lines, px, at most 2.
-
-    Returns:
-        (n,) px.
     """
     kind = np.clip(np.round(width_px / _WIDTHS_PX[0]).astype(np.intp) - 1, 0, len(_WIDTHS_PX) - 1)
     level = (cuts - cuts.mean(axis=1, keepdims=True)).transpose(0, 2, 1)
@@ -120,12 +117,8 @@ class LineOffsets:
         self, counted: NDArray[np.bool_], others: LineOffsets | None = None
     ) -> NDArray[np.bool_]:
         """Return (n,) where something else than the ground is in sight: to one side at least it
-        has no colour that is usual on and next to the paint of the places that count.
-
-        Args:
-            counted: which of the places.
-            others: whose places these are; None for its own.
-        """
+        has no colour that is usual on and next to the paint of the places that count, which are
+        those of ``others`` if given."""
         shape = (int(256 / _COLOUR_STEP) + 2,) * 3
         own, flat = (
             np.ravel_multi_index(
@@ -152,15 +145,8 @@ def line_offsets(
     frame: ImageFrame,
     reach_px: float | FloatArray,
 ) -> LineOffsets:
-    """Look for paint across every expected place.
-
-    Args:
-        picture: (H, W, 4) BGRA.
-        expected: n places.
-        painted: what they are places of.
-        frame: the picture.
-        reach_px: (n,) or one for all: how far off paint may be, solver px.
-    """
+    """Look for paint across each of n expected places in a picture (H, W, 4) BGRA, as far off as
+    ``reach_px``, (n,) or one for all, solver px."""
     if not len(expected.rows):
         return _NO_OFFSETS
     cut = _LineProfiles.of(picture, expected, painted, frame, reach_px)

@@ -96,9 +96,7 @@ def found_shares(
     is hidden, or not required, counts as far as it is found.
 
     Args:
-        seen: what was found.
         weights: of the marks, 0 for those that the camera does not explain.
-        painted: the field's paint.
 
     Returns:
         Of everything, 0 to 1; and of each element in the picture, hidden or not.
@@ -186,9 +184,6 @@ def search_nearby(
 
     Args:
         picture: (H, W, 4) BGRA.
-        vector: the camera.
-        painted: the field's paint.
-        frame: the picture.
         seen: what was found near it.
         weights: of the marks, 0 for those that the camera does not explain.
         on_ground: take only what has the colours of the field's ground on both sides, as the edges
@@ -248,15 +243,13 @@ def displaced_elements(
     around: NearbyEdgePoints | None,
     frame: ImageFrame,
 ) -> dict[int, float]:
-    """Elements that a camera (11,) shows next to their paint, by number in `Painted.names`: how far
-    the paint lies off, solver px.
+    """Elements that a camera (11,) shows next to their paint, by number in `MarkingPoints.names`:
+    how far the paint lies off, solver px.
 
     Args:
-        vector: the camera.
-        marks: paint the camera goes by.
+        marks: n places of paint the camera goes by.
         length_px: (n,) what each of them stands for.
         around: what was looked for farther out; these elements are judged by it alone.
-        frame: the picture.
     """
     if around is not None:
         others = np.flatnonzero(~np.isin(marks.element, around.marks.element))

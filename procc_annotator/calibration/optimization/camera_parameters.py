@@ -79,12 +79,7 @@ def parameter_names(model: str) -> tuple[str, ...]:
 
 
 def camera_from_vector(vector: FloatArray, frame: ImageFrame) -> PinholeCamera:
-    """The camera of a pinhole vector.
-
-    Args:
-        vector: (11,), or (13,) of a radial lens.
-        frame: the picture; the camera is in its pixels.
-    """
+    """The camera, in px of the picture, of a pinhole vector (11,), or (13,) of a radial lens."""
     focal = math.exp(vector[LOG_FOCAL])
     k1 = float(vector[KAPPA]) * (focal / frame.half_diagonal) ** 2
     k2 = (
@@ -153,15 +148,8 @@ def rotated_180(vectors: FloatArray) -> FloatArray:
 
 
 def vector_from_camera(camera: PinholeCamera, frame: ImageFrame) -> FloatArray:
-    """The pinhole vector closest to a camera: higher distortion terms are dropped.
-
-    Args:
-        camera: in px of the picture.
-        frame: the picture.
-
-    Returns:
-        (11,).
-    """
+    """The pinhole vector (11,) closest to a camera in px of the picture: higher distortion terms
+    are dropped."""
     fx, fy = camera.focal_px
     focal = abs(fy) * frame.scale
     centre = frame.centre_px

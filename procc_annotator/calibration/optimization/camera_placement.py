@@ -142,13 +142,8 @@ _FOCAL_RANGE_PX = (150.0, 60000.0)  # solver px
 
 
 def insufficient_reason(seen: Observations | None, *, needed: int, planar: bool) -> str | None:
-    """Why there is too little to fit a camera to, in words; None when there is enough.
-
-    Args:
-        seen: the points that could be used.
-        needed: elements that the model needs.
-        planar: whether only elements on the ground count.
-    """
+    """Why there is too little to fit a camera to that needs so many elements, in words; None when
+    there is enough. If ``planar``, only elements on the ground count."""
     count = 0 if seen is None else len(seen.elements)
     if seen is None or count < needed:
         return too_few_elements_text(count, needed, planar=planar)
@@ -198,12 +193,7 @@ def _is_degenerate(points: FloatArray) -> str | None:
 
 
 def implausible_reason(vector: FloatArray, around: CameraPlacementPrior) -> str | None:
-    """Return what makes a pose implausible, in words; None when nothing does.
-
-    Args:
-        vector: (11,) pinhole parameters.
-        around: where cameras stand.
-    """
+    """Return what makes the pose of a pinhole (11,) implausible; None when nothing does."""
     if not np.isfinite(vector).all():
         return translatable("not a plausible pose: the fit did not settle")
     height = -float(vector[Z])

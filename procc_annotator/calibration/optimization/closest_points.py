@@ -189,12 +189,11 @@ def find_closest_points(
     *,
     thorough: bool = True,
 ) -> ClosestPoints:
-    """Feet of all points.
+    """Closest points on their elements to all N annotated points.
 
     Args:
         linear: (B, 3, 4) world -> undistorted pixels times depth.
         undistorted: (B, 2, N) the annotated points as the linear map shows them.
-        seen: the N points and their elements.
         thorough: whether curves have their nearest place always; else one that steps from where
             the point's ray goes lead to, which takes less time where most cameras are wrong.
     """

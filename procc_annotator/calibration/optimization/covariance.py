@@ -36,25 +36,18 @@ def point_error_sd(found: CameraSolution) -> float:
 
 
 def max_direction_sd(covariances: FloatArray) -> FloatArray:
-    """(N,) standard deviations in the direction where each is largest.
-
-    Args:
-        covariances: (N, 2, 2); the square root of the larger eigenvalue is taken.
-    """
+    """(N,) standard deviations in the direction where each of N covariances (2, 2) is largest."""
     half = (covariances[:, 0, 0] + covariances[:, 1, 1]) / 2
     apart = np.hypot((covariances[:, 0, 0] - covariances[:, 1, 1]) / 2, covariances[:, 0, 1])
     return np.asarray(np.sqrt(half + apart))
 
 
 def parameter_information(found: CameraSolution, error_px: float) -> FloatArray:
-    """(n, n) information of points and prior on the free parameters.
+    """(n, n) information of points and prior on the free parameters; ``error_px`` is the standard
+    deviation of a point across its element, solver px.
 
     The n points of an element count as the square root of n independent ones, as they do in the
     fit: what makes an element lie next to the model moves all its points.
-
-    Args:
-        found: a fit.
-        error_px: standard deviation of a point across its element, solver px.
     """
     return np.asarray(
         found.solution.normal[0] / error_px**2 + np.diag(found.prior.inverse_sd[0] ** 2)
@@ -101,12 +94,8 @@ def projected_jacobian(
     free: int,
     points_world: FloatArray,
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Return how the places where field points appear change with the free parameters.
-
-    Args:
-        vector, basis, half_diagonal: see `projected_covariance`.
-        free: n, the number of free parameters.
-        points_world: (N, 3) metres.
+    """Return how the places where N field points appear change with the n free parameters; the
+    arguments are those of `projected_covariance`.
 
     Returns:
         (N, 2, n) solver px; (N,) whether the camera shows the point, the others' are meaningless.
@@ -131,13 +120,8 @@ _OPPOSITE_END_EVIDENCE = 3.0
 
 
 def is_opposite_end_possible(found: CameraSolution, field: Field, frame: ImageFrame) -> bool:
-    """Return whether the points leave open from which end of the field a camera sees it.
-
-    Args:
-        found: a fit.
-        field: the elements; of one with symmetries the labels say, and the answer is no.
-        frame: the picture.
-    """
+    """Return whether the points leave open from which end of the field a camera sees it. Of a
+    field with symmetries the labels say, and the answer is no."""
     if found.basis is not None or field.symmetries:
         return False
     here = found.solution.distances[0]
@@ -189,10 +173,6 @@ def estimate_noise(found: CameraSolution, frame: ImageFrame) -> PointNoise:
     Both variances have the means of their posterior: the marginal likelihood of the residuals, the
     camera integrated out (Laplace's approximation, as in restricted maximum likelihood). Points far
     off count less (Huber), at a scale from the median of the residuals.
-
-    Args:
-        found: a fit.
-        frame: its picture.
     """
     seen, free = found.seen.with_excluded(found.left_out), found.prior.mean.shape[1]
     off, displacements = _residuals_and_displacements(found, seen, frame)

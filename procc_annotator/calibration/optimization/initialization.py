@@ -45,16 +45,9 @@ _TINY = 1e-9
 
 def nearest_control_point(seen: Observations) -> tuple[FloatArray, FloatArray] | None:
     """Of the places where two annotated straight elements meet, and of the annotated spots, the one
-    nearest to the picture's centre.
+    nearest to the picture's centre: (3,) metres, and where the picture shows it (2,), solver px.
 
     Both lines are prolonged in the picture, so the place need not be visible.
-
-    Args:
-        seen: the annotated points.
-
-    Returns:
-        The place (3,), metres, and where the picture shows it (2,), solver px; None if there is
-        none.
     """
     places, shown = _line_crossings(seen)
     spots = [row for row, element in enumerate(seen.elements) if element.is_spot]
@@ -233,13 +226,8 @@ def _initial_cameras_above(
 def initial_cameras_at_position(
     position: FloatArray, seen: Observations, field: Field
 ) -> FloatArray:
-    """(B, 11) cameras at one place with several focal lengths, looking at what was annotated.
-
-    Args:
-        position: (3,) metres.
-        seen: the annotated points.
-        field: the elements.
-    """
+    """(B, 11) cameras at a position (3,), metres, with several focal lengths, looking at what was
+    annotated."""
     around = camera_placement_prior(field)
     focals = np.array(START_FOCALS_PX) * around.zoom
     vectors = np.zeros((len(focals), len(PARAMETERS)))

@@ -60,12 +60,8 @@ _NEGATIVE_K1_EVIDENCE = 6.0
 
 
 def try_negative_k1(found: CameraSolution, scene: FitScene) -> CameraSolution:
-    """The same camera, or one with barrel distortion if that explains the points clearly better.
-
-    Args:
-        found: of the model R or R+.
-        scene: what was fitted.
-    """
+    """The same camera (R or R+), or one with barrel distortion if that explains the points of the
+    scene clearly better."""
     if found.vector[KAPPA] != 0 or _predicted_gain(found, scene) < _NEGATIVE_K1_EVIDENCE / 2:
         return found
     free = found.prior.mean.shape[1]
@@ -91,14 +87,7 @@ def _explains_more(
     other: CameraSolution, found: CameraSolution, scene: FitScene, evidence: float
 ) -> bool:
     """Return whether a camera is plausible, leaves out no more elements than another one, and
-    costs clearly less.
-
-    Args:
-        other: the one in question.
-        found: the one it is compared with.
-        scene: what was fitted.
-        evidence: what it must save, squares of the error of a point.
-    """
+    costs less by at least ``evidence``, squares of the error of a point."""
     if implausible_reason(other.vector, scene.around):
         return False
     saved = found.robust_cost - other.robust_cost
@@ -119,8 +108,6 @@ def _best_fit(
     """Descend robustly from (B, n) starts, and fit the best of them to the elements near it.
 
     Args:
-        scene: what is fitted.
-        starts: parameters that may lead to the camera.
         prior: of each start, or of all.
         final_prior: of the final fit; None for `prior_near` the best one.
         bounded, iterations, hopeless: see `SolveRequest`.
@@ -171,15 +158,11 @@ _CROPPED_OVER_NEGATIVE_K1_EVIDENCE = 3.0
 
 
 def try_cropped(found: CameraSolution, scene: FitScene) -> CameraSolution:
-    """The same camera, or one with its principal point elsewhere if that explains the points.
+    """The same camera (R+), or one with its principal point elsewhere if that explains the points.
 
     Only a camera is doubted that leaves elements out, lies off the points, strains for the
     principal point, or has barrel distortion; and only one is taken instead that leaves fewer out
     and costs clearly less.
-
-    Args:
-        found: of the model R+.
-        scene: what was fitted.
     """
     if is_cropped(found) or not _is_poor_fit(found):
         return found
@@ -242,14 +225,8 @@ def fit_wide_angle(
     near: CameraSolution,
     fisheye: CameraSolution | None = None,
 ) -> CameraSolution:
-    """Fit a strong lens without a start of its own.
-
-    Args:
-        scene: what is fitted.
-        model: R2 or F.
-        near: the best camera with one coefficient.
-        fisheye: the best fisheye, if that is known already.
-    """
+    """Fit R2 or F without a start of its own, near the best camera with one coefficient;
+    ``fisheye`` is the best fisheye, if that is known already."""
     fisheyes = [_fisheye_vector_from(near.vector)]
     if fisheye is not None:
         fisheyes.append(fisheye.vector)
@@ -292,14 +269,11 @@ def refine_wide_angle(scene: FitScene, start: FloatArray) -> CameraSolution:
 
 
 def try_wide_angle(found: CameraSolution, scene: FitScene) -> tuple[CameraSolution, str] | None:
-    """A strong lens, and its model, if that explains the points clearly better; else None.
+    """A wide angle or fisheye lens, and its model, if that explains the points clearly better than
+    a camera R+; else None.
 
     Only a camera is doubted whose lines are bent, as only lenses of a wide angle do it, or that
     leaves several elements out.
-
-    Args:
-        found: of the model R+.
-        scene: what was fitted.
     """
     doubted = _has_bent_lines(scene.seen) or found.left_out.sum() >= MANY_OUTLIERS
     if found.vector[KAPPA] >= 0 and not doubted:

@@ -321,20 +321,12 @@ def build_observations(
     *,
     ground_only: bool = False,
 ) -> Observations | None:
-    """The points of an annotation on elements whose place on the field is known.
+    """The points of an annotation on elements whose place on the field is known; None when there is
+    nothing. If ``ground_only``, what is not on the ground is left out.
 
     Points that repeat another one of their element say nothing new and are left out, as are
     unconfirmed elements. Of an element with more than `MAX_POINTS` points so many are taken,
     evenly, its ends among them.
-
-    Args:
-        annotation: normalised points.
-        field: the elements.
-        frame: the picture.
-        ground_only: leave out what is not on the ground.
-
-    Returns:
-        None when there is nothing.
     """
     found: dict[int, FloatArray] = {}
     centre = np.array(frame.centre_px)

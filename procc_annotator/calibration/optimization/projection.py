@@ -74,12 +74,8 @@ class RadialLensCurve:
         return np.asarray(self.unit * (np.tan(t) if self.fisheye else t))
 
     def growth(self, squares: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return how an undistorted place v grows: g and w so that v appears at g v, and a small
-        step dv of it at g dv + w v (v . dv).
-
-        Args:
-            squares: (B, N) of |v|, solver px squared.
-        """
+        """Return how undistorted places v grow whose |v| squared, solver px, are (B, N): g and w so
+        that v appears at g v, and a small step dv of it at g dv + w v (v . dv)."""
         if not self.fisheye:
             s = squares / self.unit**2
             slope = 2 * (self.first + 2 * self.second * s) / self.unit**2
@@ -141,12 +137,7 @@ class Lens:
 
     @classmethod
     def of(cls, vectors: FloatArray, half_diagonal: float) -> Lens:
-        """Take apart.
-
-        Args:
-            vectors: (B, 11) or (B, 13).
-            half_diagonal: half the picture's diagonal, solver px.
-        """
+        """Take apart vectors (B, 11) or (B, 13); half the picture's diagonal in solver px."""
         rotation = rotation_matrices(vectors)
         linear = np.empty((len(vectors), 3, 4))
         linear[:, :, :3] = rotation

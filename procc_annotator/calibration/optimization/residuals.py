@@ -44,14 +44,11 @@ class Residuals:
 def residual_components(
     values: FloatArray, whole: NDArray[np.bool_], counted: NDArray[np.bool_]
 ) -> FloatArray:
-    """The single numbers that N residuals are made of, one or two each.
+    """The single numbers (M,), solver px, that N residuals are made of, one or two each.
 
     Args:
         values, whole: (2, N) and (N,) of one camera's `Residuals`.
         counted: (N,) which of the points to take.
-
-    Returns:
-        (M,) solver px.
     """
     return np.concatenate([values[0, counted], values[1, counted & whole]])
 
@@ -89,12 +86,8 @@ def pinhole_residuals(
 
 
 def linear_map(vector: FloatArray, basis: FloatArray | None = None) -> FloatArray:
-    """(3, 4) world -> undistorted pixels times depth.
-
-    Args:
-        vector: (11,) pinhole parameters, or (8,) corrections of a homography.
-        basis: (3, 3) homography that is corrected; None for a pinhole.
-    """
+    """(3, 4) world -> undistorted pixels times depth of pinhole parameters (11,), or of
+    corrections (8,) of the homography ``basis`` (3, 3)."""
     if basis is None:
         return np.asarray(Lens.of(vector[None], 1.0).linear[0])
     return np.asarray(_ground_linear_maps(homographies_from_corrections(vector[None], basis))[0])
@@ -115,13 +108,8 @@ def with_folded_hidden(feet: ClosestPoints, lens: Lens) -> ClosestPoints:
 
 
 def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatArray) -> Residuals:
-    """Residuals of homographies near a known one.
-
-    Args:
-        vectors: (B, 8) corrections, see `homographies_from_corrections`.
-        seen: N points on the ground.
-        basis: (3, 3) ground -> solver px.
-    """
+    """Residuals of B homographies, given as corrections (B, 8) of a known one (3, 3), ground ->
+    solver px, see `homographies_from_corrections`; all points are on the ground."""
     linear = _ground_linear_maps(homographies_from_corrections(vectors, basis))
     points = np.broadcast_to(seen.points, (len(vectors), *seen.points.shape))
     feet = find_closest_points(linear, points, seen)
@@ -137,16 +125,8 @@ def homography_residuals(vectors: FloatArray, seen: Observations, basis: FloatAr
 def homography_derivatives(
     vectors: FloatArray, basis: FloatArray, world: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Derivatives of the pixels of ground points by the corrections of a homography.
-
-    Args:
-        vectors: (B, 8) corrections.
-        basis: (3, 3) ground -> solver px.
-        world: (B, 3, N) metres.
-
-    Returns:
-        (B, 8, 2, N), and (B, N) depth in about metres.
-    """
+    """Derivatives (B, 8, 2, N) of the pixels of ground points (B, 3, N), metres, by the corrections
+    (B, 8) of a homography (3, 3), ground -> solver px; and depths (B, N) in about metres."""
     corrected = homographies_from_corrections(vectors, basis) @ _homogeneous_ground(world)
     depth = np.where(np.abs(corrected[:, 2]) > _TINY, corrected[:, 2], _TINY)
     return _correction_derivatives(basis, world, corrected[:, :2] / depth[:, None], depth), depth
@@ -261,10 +241,10 @@ def estimate_click_sd(components: FloatArray, parameters: int) -> float:
 def whitened(
     seen: Observations, linear: FloatArray, error_px: float = PRIOR_CLICK_SD_PX
 ) -> Observations:
-    """The same points, those on uncertain spots counting as much as these are known.
+    """The same points, those on uncertain spots counting as much as these are known; as they are
+    where none is on such a spot.
 
     Args:
-        seen: N points; as they are where none is on such a spot.
         linear: (3, 4) of a camera that is nearly right: world -> undistorted pixels times depth.
         error_px: what a click is off by, solver px.
     """

@@ -184,17 +184,15 @@ def final_fit(
     prior: GaussianPrior,
     basis: FloatArray | None = None,
 ) -> CameraSolution:
-    """The best camera for the elements that are believed.
+    """The best camera for the elements that are believed. Spots that are not known exactly are
+    whitened by the camera that comes out.
 
     Args:
-        seen: N points.
         vectors: (1, n) parameters to begin with, nearly right.
         left_out: (E,) elements taken for mistakes.
         residuals: (B, n) parameters, observations -> residuals.
         prior: on the free parameters.
         basis: (3, 3) homography that is corrected; None for a pinhole.
-
-    Spots that are not known exactly are softened by the camera that comes out.
     """
     bounded = None if basis is not None else lower_bounded_parameter(vectors)
     for _ in range(_WHITENING_ROUNDS):
@@ -237,13 +235,9 @@ def fit_models(
     """The final fits of several pinhole models to the same elements, sharing the work.
 
     Args:
-        scene: what is fitted.
         vector: (11,) parameters that are nearly right.
         left_out: (E,) elements taken for mistakes.
         models: P, R, R+ or some of them, the simplest first.
-
-    Returns:
-        By model.
     """
     free = np.array([FREE_PARAMETERS[model] for model in models])
     most = int(free.max())
@@ -305,15 +299,10 @@ def refine_camera(scene: FitScene, model: str, start: FloatArray) -> CameraSolut
 def inlier_elements_near(
     scene: FitScene, start: FloatArray, model: str
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Which elements to believe near a camera that was known before.
+    """Which elements to believe near a camera (11,) of a model P, R or R+ that was known before.
 
     Usually the last edit changed little: what was a mistake still is, and nothing else. But what
     is far off may only be new: where the camera was little known it has much to say.
-
-    Args:
-        scene: what is fitted.
-        start: (11,) parameters.
-        model: P, R or R+.
 
     Returns:
         (11,) parameters to go on from, and (E,) the elements to leave out.
@@ -334,12 +323,8 @@ def inlier_elements_near(
 
 
 def refine_homography(seen: Observations, basis: FloatArray) -> CameraSolution:
-    """Fit a homography to points on the ground.
-
-    Args:
-        seen: points on elements on the ground only.
-        basis: (3, 3) ground -> solver px, nearly right.
-    """
+    """Fit a homography to points on elements on the ground, from one (3, 3), ground -> solver px,
+    that is nearly right."""
     residuals = partial(homography_residuals, basis=basis)
     seen = whitened(seen, linear_map(np.zeros(8), basis))
     prior = GaussianPrior(np.zeros((1, 8)), np.full((1, 8), 1 / _CORRECTION_SD))

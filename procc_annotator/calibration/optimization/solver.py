@@ -171,11 +171,8 @@ class Problem:
         return int(self.prior.mean.shape[1])
 
     def summed(self, found: Residuals) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return what N residuals of B cameras sum up to.
-
-        Returns:
-            (B,) cost, (B, n, n) weighted J^T J, (B, n) gradient: of the points alone.
-        """
+        """Return what N residuals of B cameras sum up to, of the points alone: (B,) cost, (B, n, n)
+        weighted J^T J, (B, n) gradient."""
         cost, weight = self.loss.cost_and_weight(found.distances)
         weight = weight * self.weights
         count, free = found.derivatives.shape[:2]

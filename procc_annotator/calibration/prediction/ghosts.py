@@ -66,13 +66,7 @@ ExpectedEnds = tuple[ExpectedEnd | None, ExpectedEnd | None]
 def expected_ends(
     stretches: Sequence[VisibleStretch], field: Field, fit: FitResult
 ) -> dict[str, ExpectedEnds]:
-    """The ends of straight elements, by class.
-
-    Args:
-        stretches: of any elements in the picture of the fit's camera.
-        field: the elements, metres.
-        fit: with a camera.
-    """
+    """The ends of straight elements in the picture of the fit's camera, by class."""
     lines = {e.name: e.geometry for e in field.elements if isinstance(e.geometry, Line)}
     straight = [s for s in stretches if s.name in lines]
     if not straight or fit.camera is None:
@@ -136,14 +130,10 @@ _NEARER_RATIO = 3.0  # than to where the camera shows their own element
 def classes_labelled_otherwise(
     annotation: FrameAnnotation, fit: FitResult, stretches: Iterable[VisibleStretch]
 ) -> frozenset[str]:
-    """The classes along which another element is annotated that does not belong there.
+    """The classes, of those whose visible stretches are given, along which another element is
+    annotated that does not belong there.
 
     Elements that really coincide in the picture are none: each lies where the camera shows it.
-
-    Args:
-        annotation: that was fitted.
-        fit: to it.
-        stretches: what is in sight of the classes in question.
     """
     along_px = _MAX_DISTANCE_PX * (fit.size[0] - 1) / 959
     far_px = _NEARER_RATIO * along_px
@@ -223,20 +213,11 @@ def find_ghosts(
     without: Collection[str] = (),
     most_sd_px: float = MAX_SD_PX,
 ) -> tuple[Ghost, ...]:
-    """The elements in sight that are not annotated, where the fit knows them well enough.
+    """The elements in sight that are not annotated, where the fit knows them well enough, in the
+    field's order; classes ``without`` are not offered.
 
     A camera that knows only the ground has no ghosts off the ground. A line that is annotated under
     a class that does not belong there is no ghost: it would have two labels.
-
-    Args:
-        annotation: what is there already; confirmed or not.
-        field: the elements, metres.
-        fit: to this annotation.
-        without: classes that are not to be offered.
-        most_sd_px: the largest standard deviation across an element, px at 960 px width.
-
-    Returns:
-        In the field's order.
     """
     if fit.camera is None:
         return ()

@@ -65,14 +65,8 @@ def likely_classes(
     size: tuple[int, int],
     known: Mapping[str, FloatArray],
 ) -> tuple[str, ...]:
-    """The elements that a line likely is, likeliest first; those of no camera are left out.
-
-    Args:
-        field: its elements, and where its cameras stand.
-        drawn: (n, 2) px, n >= 1.
-        size: (width, height) of the picture, px.
-        known: the elements of the picture that have names, (n, 2) px each; none of them is offered.
-    """
+    """The elements that a line (n, 2), px, likely is, likeliest first; those of no camera are left
+    out, as are those ``known``: the elements of the picture that have names, (n, 2) px each."""
     views = _expected_views(
         field.elements, camera_placement_prior(field), round(size[1] / size[0], 3)
     )
@@ -204,22 +198,13 @@ def suggest_annotations(
     *,
     without: Collection[str] = (),
 ) -> tuple[AnnotationSuggestion, ...]:
-    """The elements that wait to be annotated, the most helpful first.
+    """The elements that wait to be annotated, the most helpful first; none without a camera.
 
     Candidates are all elements that the fitted camera has in the picture, also those that it does
     not know well enough to offer as ghosts; of optional ones only the dataset's own landmarks.
     Their clicks are taken to lie regularly on what is visible of them, two on a straight element
     and five on a curve, and to be off as the annotated points are, across the element; the one on a
-    spot both ways. They weigh as in the fit.
-
-    Args:
-        annotation: what is there already; confirmed or not.
-        field: the elements, metres.
-        fit: to this annotation.
-        without: classes that are not to be suggested.
-
-    Returns:
-        Nothing without a camera: then there is no covariance to reason with.
+    spot both ways. They weigh as in the fit. Classes ``without`` are not suggested.
     """
     if fit.camera is None or fit.information is None or fit.error_px is None:
         return ()
@@ -264,14 +249,8 @@ def _projection_sds_px(
     judged: FloatArray,
     clicks: Sequence[_SimulatedClicks],
 ) -> FloatArray:
-    """(1 + C,) px: how surely the fit knows where places appear, and would with more clicks.
-
-    Args:
-        fit: has a camera.
-        frame: its picture.
-        judged: (N, 3) metres, the places.
-        clicks: of C elements, each for itself.
-    """
+    """(1 + C,) px: how surely the fit knows where places (N, 3), metres, appear, and would with
+    more clicks, of C elements, each for itself."""
     assert fit.information is not None
     assert fit.error_px is not None
     derivatives = _projection_derivatives(

@@ -154,14 +154,10 @@ def ground_sd(fit: FitResult, ground: FloatArray, *, click_px: float = 0.0) -> F
 
 
 def map_ground_uncertainty(fit: FitResult, field: Field) -> GroundUncertainty:
-    """Map how surely a fit knows the field's ground.
+    """Map how surely a fit, of any model, knows the field's ground.
 
     Samples are at most a metre apart, closer where little of the field is in sight. Off the field's
     rectangle there are none, so nothing above the horizon or behind the camera counts.
-
-    Args:
-        fit: a camera with its covariance, of any model.
-        field: the sports field.
 
     Raises:
         UsageError: the fit has no camera, or the field nothing on the ground.

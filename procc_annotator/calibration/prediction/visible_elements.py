@@ -75,13 +75,8 @@ def _segment_intersection(
 
 
 def image_edge_point(end: FloatArray, along: FloatArray, size: ImageSize) -> FloatArray | None:
-    """Return where the ray from a place in the picture leaves it; None from outside.
-
-    Args:
-        end: (2,) px.
-        along: (2,) direction.
-        size: (width, height) px of the picture.
-    """
+    """Return where the ray from a place (2,) px in the picture in a direction (2,) leaves it; None
+    from outside."""
     limits = np.array(size, dtype=np.float64) - 1
     if (end < 0).any() or (end > limits).any():
         return None
@@ -90,16 +85,8 @@ def image_edge_point(end: FloatArray, along: FloatArray, size: ImageSize) -> Flo
 
 
 def steps_to_image_edge(place: FloatArray, step: FloatArray, limits: FloatArray) -> float:
-    """Return how many steps lead from a place to the picture's edge.
-
-    Args:
-        place: (2,) px, inside.
-        step: (2,) px.
-        limits: (2,) px, the last column and row; the first ones are 0.
-
-    Returns:
-        Infinity for a step of no length.
-    """
+    """Return how many steps (2,) lead from a place (2,) px inside the picture to its edge; infinity
+    for a step of no length. Limits (2,): the last column and row; the first ones are 0."""
     with np.errstate(divide="ignore", invalid="ignore"):
         steps = np.where(
             step > 0, (limits - place) / step, np.where(step < 0, -place / step, np.inf)
@@ -148,10 +135,8 @@ def split_at_corners(stretch: VisibleStretch) -> tuple[VisibleStretch, ...]:
 def visible_spots(
     field: Field, camera: Camera, size: tuple[int, int], without: Collection[str] = ()
 ) -> dict[str, Vector]:
-    """The spots that lie inside the picture, by geometry alone: name -> metres.
-
-    Args: as for `visible_stretches`.
-    """
+    """The spots that lie inside the picture, by geometry alone: name -> metres; see
+    `visible_stretches`."""
     spots = {
         e.name: e.geometry.position
         for e in field.elements
@@ -168,19 +153,12 @@ def visible_spots(
 def visible_stretches(
     field: Field, camera: Camera, size: tuple[int, int], without: Collection[str] = ()
 ) -> tuple[VisibleStretch, ...]:
-    """The stretches of the field's elements that lie inside the picture, by geometry alone.
-
-    Spots have none.
+    """The stretches of the field's elements that lie inside the picture, by geometry alone; spots,
+    and classes ``without``, have none.
 
     Nothing is known of what stands in front of them. An element that leaves the picture and comes
     back has several stretches; they end exactly at the picture's edge. A circle's stretches begin
     after its longest one outside.
-
-    Args:
-        field: the elements.
-        camera: in px of the picture.
-        size: (width, height) px.
-        without: classes to pass over.
     """
     samples = _element_samples(field.elements)
     world = samples.points_world

@@ -247,14 +247,9 @@ def refine_candidates(
     found: RankedCameras,
     other_than: FloatArray | None = None,
 ) -> BestCandidate | None:
-    """The best of some cameras, of the first ones those refined that come near the best.
-
-    Args:
-        other_than: (11,) a camera that does not count, nor do those that show the same.
-
-    Returns:
-        None if there is paint next to none.
-    """
+    """The best of some cameras, of the first ones those refined that come near the best; None if
+    there is paint next to none. A camera ``other_than`` (11,) does not count, nor do those that
+    show the same."""
     tried: list[LineAlignment] = []
     kept: list[tuple[FloatArray, float]] = []
     for vector, score in zip(found.vectors[:_REFINED_COUNT], found.scores, strict=False):

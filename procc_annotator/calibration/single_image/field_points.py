@@ -210,14 +210,8 @@ class VisiblePoints:
 def visible_line_points(
     vectors: FloatArray, lines: FieldLinePoints, half_height: float, count: int
 ) -> VisiblePoints:
-    """So many places a camera, each standing for the same length in its picture.
-
-    Args:
-        vectors: (B, 11) cameras.
-        lines: of the field.
-        half_height: of the picture, solver px.
-        count: K.
-    """
+    """``count`` places for each of B cameras (B, 11), each standing for the same length in its
+    picture; half the picture's height in solver px."""
     parts = [
         _visible_line_points(vectors[first : first + _VIEW_BATCH], lines, half_height, count)
         for first in range(0, max(len(vectors), 1), _VIEW_BATCH)
@@ -294,17 +288,8 @@ def _evenly_along(
 def view_distance_px(
     vector: FloatArray, others: FloatArray, lines: FieldLinePoints, half_height: float
 ) -> FloatArray:
-    """Return how far apart cameras show the lines that one of them has in view.
-
-    Args:
-        vector: (11,) the one.
-        others: (B, 11).
-        lines: of the field.
-        half_height: of the picture, solver px.
-
-    Returns:
-        (B,) median of the distances, solver px.
-    """
+    """Return how far apart, solver px (B,), others (B, 11) show the lines that a camera (11,) has
+    in view: the median distance. Half the picture's height in solver px."""
     chosen = visible_line_points(
         vector[None], lines.coarsest, half_height, _COMPARED_POINTS
     ).places[0]

@@ -212,11 +212,8 @@ class CoarseLineGrid:
         return cls(rows, cell, paint.half_height)
 
     def explained(self, cells: NDArray[np.int32]) -> NDArray[np.float64]:
-        """(B,) share of its cells that have a line of a like direction in them or next to them.
-
-        Args:
-            cells: (B, K) of the maps where lines are, flat.
-        """
+        """(B,) share of cells (B, K), flat, of the maps where lines are, that have a line of a like
+        direction in them or next to them."""
         height, width = map_shape(self.half_height, self.cell)
         place = cells % (height * width)
         row, column = place // width // _CELLS_ACROSS, place % width // _CELLS_ACROSS
@@ -417,18 +414,13 @@ def refine_by_icp(
     paint: int = 0,
     model: str = "P",
 ) -> FloatArray:
-    """Lead cameras to the paint, one step for each scale.
+    """Lead cameras (B, 11) to the paint, one step for each scale.
 
     Args:
-        scene: field and picture.
-        vectors: (B, 11) where they are.
         scales_px: solver px; paint farther off counts less and less.
         places: so many on the lines of each camera.
         paint: so many places of the paint are pulled to lines as well.
         model: P or R.
-
-    Returns:
-        (B, 11).
     """
     free = FREE_PARAMETERS[model]
     vectors = vectors.copy()

@@ -72,12 +72,8 @@ class AspectSample:
 def most_probable_aspect(
     possible: Sequence[PixelAspect], samples: Sequence[Sequence[AspectSample | None]]
 ) -> PixelAspect:
-    """The pixels that explain pictures of one source best.
-
-    Args:
-        possible: what they may be.
-        samples: for each of them, the best camera of each picture; None without one.
-    """
+    """The one of the possible pixels that explains pictures of one source best: for each of them
+    the best camera of each picture, None without one."""
     log_odds = [
         math.log(one.probability) + _log_likelihood(of_pictures)
         for one, of_pictures in zip(possible, samples, strict=True)

@@ -86,12 +86,8 @@ def cluster_fit_positions(
 ) -> tuple[KnownPosition, ...]:
     """The positions that three or more fits agree on, the one with most of them first.
 
-    Frames of one shot can make the same mistake; so two of those that agree must be sure.
-
-    Args:
-        sure: fits to rely on.
-        field: the elements.
-        others: fits that may be wrong.
+    Frames of one shot can make the same mistake; so two of those that agree must be sure. The
+    others may be wrong.
     """
     known = [fit for fit in (*sure, *others) if fit.vector is not None]
     known = [fit for fit in known if fit.covariance is not None]
@@ -107,12 +103,8 @@ def cluster_fit_positions(
 def cluster_camera_positions(
     cameras: Sequence[tuple[PinholeCamera, tuple[int, int]]], field: Field
 ) -> tuple[KnownPosition, ...]:
-    """The positions that several cameras agree on; the own ones of all where none do.
-
-    Args:
-        cameras: each in px of the picture size (width, height) next to it.
-        field: the elements.
-    """
+    """The positions that several cameras agree on; the own ones of all where none do. Each camera
+    is in px of the picture size (width, height) next to it."""
     if not cameras:
         return ()
     frames = [ImageFrame(size, field.pixel_aspect) for _, size in cameras]

@@ -187,15 +187,8 @@ _CERTAIN = 0.999
 def estimate_pixel_aspect(
     pictures: Iterable[tuple[PixelArray, Field]], go_on: Callable[[], None] = lambda: None
 ) -> PixelAspect | None:
-    """Estimate how wide the pixels of pictures of one source are.
-
-    Args:
-        pictures: (H, W, 4) BGRA, each with the elements as they are in it.
-        go_on: called between steps; what it raises ends the search.
-
-    Returns:
-        None where pictures have a shape that cameras make.
-    """
+    """Estimate how wide the pixels of pictures (H, W, 4) BGRA of one source are; None where they
+    have a shape that cameras make. What ``go_on``, called between steps, raises ends the search."""
     possible: Sequence[PixelAspect] = ()
     samples: list[list[AspectSample | None]] = []
     for picture, field in pictures:

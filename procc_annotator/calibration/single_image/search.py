@@ -114,13 +114,8 @@ def _top_indices(scores: FloatArray, most: int) -> IntArray:
 
 @lru_cache(maxsize=4)  # 35 MB each
 def hypotheses_on_side(lines: FieldLinePoints, half_height: float, side: int) -> CameraHypotheses:
-    """Cameras wherever the field's file says that they stand on a side of the field.
-
-    Args:
-        lines: of the field.
-        half_height: of the picture, solver px.
-        side: index in `SIDES`; not above.
-    """
+    """Cameras wherever the field's file says that they stand on a side of the field: an index in
+    `SIDES`, not above. Half the picture's height in solver px."""
     places, field = _positions_on_side(lines.around, side), lines.coarsest
     sizes = lines.around.half_length, lines.around.half_width
     columns = [PAN, TILT, *range(POSITION_SLICE.start, POSITION_SLICE.stop), LOG_FOCAL]
