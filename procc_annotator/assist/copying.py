@@ -120,16 +120,10 @@ def copy_along_track(
     field: Field,
     fit: FitResult,
 ) -> Copied:
-    """The same elements where the camera of a track shows them, on their paint.
+    """The same elements where the camera of a track shows them in this frame (H, W, 4), on their
+    paint; its annotation has none of them.
 
     Elements out of sight, and those without visible paint, do not come along.
-
-    Args:
-        polylines: of another frame of the shot.
-        annotation: of this one, which none of them has.
-        picture: (H, W, 4) of this one.
-        field: the elements, metres.
-        fit: of this frame, from the track.
     """
     size = picture.shape[1], picture.shape[0]
     wanted = {polyline.class_name for polyline in polylines}

@@ -134,16 +134,13 @@ class Curve:
 
 
 def curve_through(clicked: FloatArray, curved: bool, bar: bool = False) -> Curve | None:
-    """The curve through the clicks: chords, an ellipse, or what passes smoothly through them all.
+    """The curve through clicks (n, 2), px, n >= 2: chords, an ellipse, or what passes smoothly
+    through them all; None for clicks in one place.
 
     Args:
-        clicked: (n, 2) px, n >= 2.
         curved: whether the element is a circle or an arc; of a circle's points the order does not
             matter.
         bar: whether it is a bar, which bends no more than the lens bends it.
-
-    Returns:
-        None for clicks in one place.
     """
     if not curved:
         return _curve(_chords(clicked), 3 if bar else 4, closed=False)
@@ -205,15 +202,12 @@ def hermite_curve(
 
 
 def refitted(curve: Curve, clicked: FloatArray, found: FloatArray) -> Curve:
-    """A curved element's curve drawn anew through its paint: a circle is seen as an ellipse.
+    """A curved element's curve drawn anew through its paint: a circle is seen as an ellipse. The
+    same curve where no ellipse passes most of what was found, and the clicks.
 
     Args:
-        curve: through the clicks.
         clicked: (n, 2) px; they say how far the arc goes.
         found: (m, 2) px on what may be its paint; NaN where there was none.
-
-    Returns:
-        The same curve where no ellipse passes most of what was found, and the clicks.
     """
     paint = found[~np.isnan(found[:, 0])]
     if len(paint) < _FEWEST_PAINT:

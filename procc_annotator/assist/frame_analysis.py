@@ -78,8 +78,6 @@ def analyse_frame(
     """Fit a camera to an annotation and see what follows; safe from any thread.
 
     Args:
-        annotation: of the frame.
-        field: its elements.
         size: (width, height) px of the picture.
         model: see `fit_camera`.
         start: the camera before the last edit.
@@ -124,13 +122,10 @@ def ghosts_without_clicks(
     """Find the ghosts of a camera; none of one that the clicks contradict. Safe from any thread.
 
     Args:
-        annotation: of the frame.
-        field: its elements.
         fit: the camera, found in the picture or by following the shot.
-        not_visible: classes a person said are not to be seen here.
         fitted: what follows from the clicks alone. It is returned once the clicks give a camera,
             unless they agree with the camera that was found, and that one knows more elements.
-        go_on: called between the steps; raises whatever it likes when no one wants the rest.
+        not_visible, go_on: as of `analyse_frame`.
     """
     go_on()
     by_clicks = fitted if fitted is not None and fitted.fit.camera is not None else None
@@ -164,16 +159,10 @@ def contradicts(
 def apply_remedy(
     annotation: FrameAnnotation, finding: Finding, remedy: Remedy, field: Field | None = None
 ) -> FrameAnnotation:
-    """The annotation with a finding fixed; its points stay where they are.
+    """The annotation with a finding of it fixed; its points stay where they are.
 
-    Args:
-        annotation: what the finding is about.
-        finding: of this annotation.
-        remedy: one of the finding's.
-        field: for the titles in messages; without it they name the classes of the file.
-
-    Returns:
-        The same annotation for `LOOK`, which is for eyes, and `FOLLOW`, which wants the picture.
+    Without a field messages name the classes of the file. `LOOK`, which is for eyes, and `FOLLOW`,
+    which wants the picture, change nothing.
 
     Raises:
         UsageError: the annotation is another one by now, or two elements would get one class.
@@ -190,12 +179,8 @@ def rename_classes(
 ) -> FrameAnnotation:
     """Give classes other names, all at once, so that they may exchange them; the order stays.
 
-    A class without points gives way, and so does an unconfirmed element of a new name.
-
-    Args:
-        annotation: with all the classes.
-        names: class -> class it becomes.
-        field: as for `apply_remedy`.
+    A class without points gives way, and so does an unconfirmed element of a new name. Without a
+    field messages name the classes of the file.
 
     Raises:
         UsageError: a class is not annotated, or would be annotated twice.

@@ -107,18 +107,12 @@ def reach_of(end: ExpectedEnd | None) -> float:
 def _seen_corner(
     line: VisibleLine, end: ExpectedEnd, scene: _Scene, *, may_miss_px: float, shifted_px: float
 ) -> Corner | None:
-    """Return where a line's last end meets the paint of an element that it ends at.
+    """Return where a line's last end meets the paint of an element that it ends at; None where no
+    other element's paint is found, or the line is not seen to go there, or only beyond.
 
     Args:
-        line: of a straight element, found beyond where its last end is expected.
-        end: the last one.
-        scene: of the line.
         may_miss_px: so far before the corner the line need not be seen.
         shifted_px: how much farther on than expected the line's first end was found.
-
-    Returns:
-        None where no other element's paint is found, or the line is not seen to go there, or only
-        beyond.
     """
     best: _Candidate | None = None
     for candidate in (

@@ -67,11 +67,7 @@ def find_points(
     The first and the last point are where the line begins and ends to be seen: at the picture's
     edge, at the element's end, or where something stands in front of it. Safe from any thread.
 
-    Args:
-        ghost: in px of a picture of this size.
-        picture: (H, W, 4) BGRA, of this size.
-        field: knows which elements are curved.
-        size: (width, height) px.
+    The ghost is in px of the picture (H, W, 4) BGRA of this (width, height).
     """
     found = _find_points(ghost, picture, field, size, ExpectedLines(field, size[0]))
     element = field.element(ghost.name)

@@ -73,12 +73,7 @@ class LabelCount:
 
 
 def labelled_frames(found: ReadSet, field: Field) -> list[LabelledFrame]:
-    """The frames of a set that was read without a map.
-
-    Args:
-        found: what was read.
-        field: what it was read for.
-    """
+    """The frames of a set that was read without a map, for a field."""
     frames = []
     for frame in found.frames.values():
         shapes: dict[str, list[Points]] = {}
@@ -162,13 +157,8 @@ def evaluation_size(frame: LabelledFrame) -> tuple[int, int]:
 def find_places(
     frames: Iterable[LabelledFrame], camera_of: CameraOf, field: Field
 ) -> dict[str, LabelPlaces]:
-    """Which elements the shapes of each label lie on.
-
-    Args:
-        frames: of the set.
-        camera_of: the camera of a frame at a size, px; None if absent.
-        field: the elements, metres.
-    """
+    """Which elements the shapes of each label lie on, by the camera of a frame at a size, px; None
+    if absent."""
     places: dict[str, LabelPlaces] = {}
     for frame in frames:
         size = evaluation_size(frame)
@@ -191,12 +181,8 @@ def find_places(
 def cameras_of(
     cameras: FrameCameras, on_unusable: Callable[[str], object] | None = None
 ) -> CameraOf:
-    """Given cameras.
-
-    Args:
-        cameras: by the names of frames.
-        on_unusable: called with the reason for each one that cannot be used; None: silent.
-    """
+    """Given cameras, by the names of frames; ``on_unusable`` is called with the reason for each one
+    that cannot be used."""
 
     def camera(frame: LabelledFrame, size: tuple[int, int]) -> CameraOrProjections | None:
         try:
@@ -295,10 +281,8 @@ def find_orders(
     """Find the order of the shapes of labels that several lines share.
 
     Args:
-        frames: of the set.
         alone: label -> the one class it stands for.
         families: label -> the classes it stands for, straight and on the ground.
-        field: the elements, metres.
     """
     lines = _lines(field)
     usable = all(len(s) <= _LARGEST_FAMILY and lines.keys() >= set(s) for s in families.values())

@@ -210,11 +210,6 @@ def propose_labels(
     By name first. Labels that several straight lines share are put in the order that all frames
     fit best. Then cameras show which elements the shapes lie on: those that are given, or those
     that are fitted to what is known by then.
-
-    Args:
-        frames: of the set.
-        field: the elements, metres.
-        camera_of: given cameras; None: none are.
     """
     counts = label_counts(frames)
     names = {count.label: matching_classes(count.label, field) for count in counts}
@@ -343,14 +338,8 @@ _MUCH_MORE = 1.3  # of the likeness of all labels
 def proposed_text(
     proposals: Sequence[LabelProposal], source: str, field: Field, *, given_cameras: bool
 ) -> str:
-    """The ``labels.toml`` of a proposal.
-
-    Args:
-        proposals: of all labels.
-        source: what the labels are of, for people.
-        field: has the classes.
-        given_cameras: whether cameras were given, which say what is left and what is right.
-    """
+    """The ``labels.toml`` of a proposal for all labels of a source, named for people; given cameras
+    say what is left and what is right."""
     head = [
         f"What the labels of {source} may stand for on a field of {field.title}.",
         "Proposed by procc-annotator propose-map: sure by two ways, likely by one. What is open is"
@@ -374,15 +363,8 @@ def _written(one: LabelProposal) -> WrittenRule:
 
 
 def better_field(labels: Sequence[str], field: Field) -> str | None:
-    """The shipped field with classes that are called much more like some labels.
-
-    Args:
-        labels: of a set.
-        field: what they were taken for.
-
-    Returns:
-        What `load_field` takes; None where no field is.
-    """
+    """The shipped field, as `load_field` takes it, with classes that are called much more like some
+    labels of a set than those of the field they were taken for; None where no field is."""
     own = _likeness(labels, field)
     others = [load_field(name) for name in field_names() if name != field.name]
     best = max(others, key=lambda other: _likeness(labels, other))

@@ -65,14 +65,8 @@ def correct_camera(
     size: tuple[int, int],
     annotation: FrameAnnotation,
 ) -> CameraCorrection:
-    """A camera that shows pegs where they are, before its lines were looked for.
-
-    Args:
-        camera: px of the picture.
-        pegs: at least one.
-        size: (width, height) px of the picture.
-        annotation: of the frame.
-    """
+    """A camera, px of the picture, that shows one or more pegs where they are, before its lines
+    were looked for."""
     return CameraCorrection(pegs, external_camera_fit(camera, size), annotation)
 
 
@@ -83,14 +77,9 @@ def align_to_lines(
     *,
     go_on: Callable[[], None] = lambda: None,
 ) -> CameraCorrection:
-    """The same on the paint of its picture, where that agrees with the pegs; safe from any thread.
-
-    Args:
-        correction: as it was dragged.
-        picture: (H, W, 4) BGRA.
-        field: the elements.
-        go_on: called between the steps; raises whatever it likes when no one wants the rest.
-    """
+    """The same on the paint of its picture (H, W, 4) BGRA, where that agrees with the pegs; safe
+    from any thread. ``go_on`` is called between the steps; it raises whatever it likes to end
+    them."""
     go_on()
     camera = correction.fit.camera
     assert isinstance(camera, PinholeCamera)
@@ -122,14 +111,8 @@ class ClickedAnchor(NamedTuple):
 def anchor_camera(
     annotation: FrameAnnotation, field: Field, *, size: tuple[int, int], model: str = "R"
 ) -> tuple[Camera | None, str]:
-    """The camera fitted to clicks, if they determine one; else None and why they do not.
-
-    Args:
-        annotation: of a frame.
-        field: its elements in that frame.
-        size: (width, height) px of the picture.
-        model: see `fit_camera`.
-    """
+    """The camera fitted to clicks, if they determine one; else None and why they do not. For the
+    model see `fit_camera`; (width, height) px of the picture."""
     fit = fit_camera(annotation, field, model=model, size=size)
     if fit.camera is None:
         return None, fit.failure or ""
@@ -153,7 +136,6 @@ def anchors_of(
     Args:
         workspace: the dataset, read as it is now; safe from any thread.
         indices: number in the shot -> index in the dataset, of the frames to look at.
-        field: the elements.
         size: (width, height) px of the pictures.
         model: see `fit_camera`.
         go_on: called between frames.
@@ -196,13 +178,8 @@ class TrackAnchors:
         collection: CameraCollection,
         camera_size: tuple[int, int] | None,
     ) -> None:
-        """Add the cameras of files; an anchor that is there already stays.
-
-        Args:
-            frames: by number.
-            collection: of cameras.
-            camera_size: (width, height) their pixels belong to, where their files do not say.
-        """
+        """Add the cameras of files; an anchor that is there already stays. Where the files do not
+        say, their pixels belong to ``camera_size``, (width, height)."""
         for number, frame in enumerate(frames):
             if number in self.cameras or frame.name not in collection.frames:
                 continue
@@ -220,13 +197,7 @@ class TrackAnchors:
                 self.cameras[number] = camera
 
     def add_annotated(self, frames: Sequence[Frame], given: FrameAnnotations, field: Field) -> None:
-        """Add a fit to every annotated frame that gives a camera to rely on.
-
-        Args:
-            frames: by number.
-            given: what is annotated in them.
-            field: the elements, metres.
-        """
+        """Add a fit to every annotated frame that gives a camera to rely on."""
         for number, frame in enumerate(frames):
             try:
                 annotation = given.read(frame, field)

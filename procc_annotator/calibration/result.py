@@ -174,7 +174,10 @@ class FitResult:
         return tuple(e.name for e in self.elements if e.left_out)
 
     def projected_covariance(self, points_world: FloatArray) -> FloatArray:
-        """Return how surely the fit knows where field points (N, 3), metres, appear.
+        """Return how surely the fit knows where field points appear.
+
+        Args:
+            points_world: (N, 3) metres, world frame.
 
         Returns:
             (N, 2, 2) px squared; NaN for points that the camera does not show, and for all of them

@@ -182,17 +182,11 @@ def _part_of_ground(nodes_px: FloatArray, slopes: FloatArray, points_px: FloatAr
 
 
 def ground_from_px(camera: CameraOrProjections, points_px: FloatArray) -> FloatArray:
-    """The world points on the ground (z = 0) that pixels show.
+    """The world points on the ground (z = 0), (N, 2) metres, that pixels (N, 2) show; NaN for
+    pixels that do not show the ground. Projections alone have no ground.
 
     Exact to 1e-6 m inside the picture: rays for pinhole and fisheye cameras, the matrix for
     homographies, a model's own ``ground_from_px`` where it has one, and a search for all others.
-
-    Args:
-        camera: any source; projections alone have no ground.
-        points_px: (N, 2) px.
-
-    Returns:
-        (N, 2) metres (x, y), NaN for pixels that do not show the ground.
     """
     points_px = np.asarray(points_px, dtype=np.float64)
     if isinstance(camera, ElementProjections):
@@ -205,15 +199,9 @@ def ground_from_px(camera: CameraOrProjections, points_px: FloatArray) -> FloatA
 
 
 def ground_covariance(camera: Camera, ground: FloatArray, covariance_px: FloatArray) -> FloatArray:
-    """Covariance of ground points from that of their pixels, to first order.
-
-    Args:
-        camera: any model.
-        ground: (N, 2) metres. covariance_px: (N, 2, 2) or (2, 2) square px.
-
-    Returns:
-        (N, 2, 2) square metres; NaN for points that the camera does not show.
-    """
+    """Covariance (N, 2, 2), square metres, of ground points (N, 2), metres, from that of their
+    pixels, (N, 2, 2) or (2, 2) square px, to first order; NaN for points that the camera does not
+    show."""
     slopes = projection_jacobian(camera, np.column_stack((ground, np.zeros(len(ground)))))[1]
     with np.errstate(invalid="ignore"):
         singular = ~(np.abs(np.linalg.det(slopes[:, :, :2])) > 0)  # also NaN
@@ -230,18 +218,12 @@ class ViewingRay(NamedTuple):
 
 
 def viewing_ray(camera: Camera, point_px: FloatArray) -> ViewingRay | None:
-    """The line whose points appear at a pixel.
+    """The line whose points appear at a pixel (2,); None where the model shows nothing there. Any
+    model that projects points off the ground has one.
 
     Exact for pinhole and fisheye cameras. For all others a place that appears there is searched
     by Newton's method; along the line the projection does not change, so its direction is what the
     derivatives there take to zero.
-
-    Args:
-        camera: any model that projects points off the ground.
-        point_px: (2,) px.
-
-    Returns:
-        None where the model shows nothing at the pixel.
     """
     point_px = np.asarray(point_px, dtype=np.float64)
     if isinstance(camera, ScaledCamera):

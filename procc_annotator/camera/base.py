@@ -109,12 +109,8 @@ class _Scalable(Protocol):
 def scaled_camera(
     camera: CameraOrProjections, from_size: Size, to_size: Size
 ) -> CameraOrProjections:
-    """The camera in pixels of another picture size.
-
-    Args:
-        camera: its own ``scaled`` is used where it has one.
-        from_size: (width, height) its pixels belong to. to_size: those wanted.
-    """
+    """The camera in pixels of another picture (width, height); its own ``scaled`` is used where it
+    has one."""
     if isinstance(camera, ElementProjections) or callable(getattr(camera, "scaled", None)):
         return cast(_Scalable, camera).scaled(from_size, to_size)
     return ScaledCamera(camera, size_factors(from_size, to_size))

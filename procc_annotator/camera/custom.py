@@ -33,12 +33,8 @@ _OWN_CAMERA_TYPES = (
 
 
 def validated_camera(camera: CameraOrProjections, name: str = "camera") -> CameraOrProjections:
-    """The same camera, where it is not one of this program's with its answers checked.
-
-    Args:
-        camera: of any model.
-        name: how to call it where its answers cannot be used.
-    """
+    """The same camera, where it is not one of this program's with its answers checked; errors call
+    it ``name``."""
     if isinstance(camera, ScaledCamera):
         inner = validated_camera(camera.camera, name)
         assert not isinstance(inner, ElementProjections)  # those are no camera
@@ -56,11 +52,8 @@ class ValidatedCamera:
     name: str = "camera"
 
     def project(self, points_world: FloatArray) -> tuple[FloatArray, BoolArray]:
-        """See `Camera.project`.
-
-        Raises:
-            UsageError: what the camera returns is no projection of the points.
-        """
+        """See `Camera.project`; `UsageError` if what the camera returns is no projection of the
+        points."""
         return self._asked(self.camera.project, points_world)
 
     def ground_from_px(self, points_px: FloatArray) -> FloatArray:

@@ -177,13 +177,10 @@ def pose_from_rt(rotation: FloatArray, t: FloatArray) -> CameraPose:
 
 
 def angles_from_rotation(rotation: FloatArray) -> tuple[float, float, float]:
-    """The angles (rad) whose `rotation_cam_from_world` is this rotation.
+    """The angles (rad) whose `rotation_cam_from_world` is this rotation (3, 3), world -> camera.
 
     Tilt is in [0, pi]. Looking straight down or up only the sum or difference of pan and roll
     counts; roll is 0 then.
-
-    Args:
-        rotation: (3, 3), world -> camera.
     """
     r = rotation
     sine = math.hypot(r[2, 0], r[2, 1])
@@ -225,11 +222,8 @@ def pinhole_from_parts(
 def fisheye_from_parts(
     inside: Intrinsics, pose: CameraPose, distortion: Sequence[float]
 ) -> FisheyeCamera:
-    """A fisheye camera with OpenCV's k1..k4, or none.
-
-    Raises:
-        ValueError: another number of coefficients, or no finite ones.
-    """
+    """A fisheye camera with OpenCV's k1..k4, or none; `ValueError` for another number of
+    coefficients, or no finite ones."""
     if len(distortion) not in (0, 4):
         raise ValueError(f"a fisheye distortion has 4 entries, found {len(distortion)}")
     if not np.isfinite(distortion).all():
@@ -262,17 +256,11 @@ def translation(camera: PinholeCamera | FisheyeCamera) -> FloatArray:
 def pinhole_from_homography(
     camera: HomographyCamera, size: tuple[int, int]
 ) -> PinholeCamera | None:
-    """The camera whose ground plane a homography shows.
+    """The camera, in px of a picture of this (width, height) whose middle is the principal point,
+    whose ground plane a homography shows; None where its two axes determine no focal length.
 
     The two axes of the ground are at right angles and equally long in the world; both conditions
     give the focal length, here weighed together.
-
-    Args:
-        camera: in px of ``size``.
-        size: (width, height) px, whose middle is the principal point.
-
-    Returns:
-        None where the two axes determine no focal length.
     """
     cx, cy = (size[0] - 1) / 2, (size[1] - 1) / 2
     centred = np.array([[1.0, 0.0, -cx], [0.0, 1.0, -cy], [0.0, 0.0, 1.0]])

@@ -27,11 +27,8 @@ def size_factors(from_size: tuple[int, int], to_size: tuple[int, int]) -> tuple[
 
 
 def rotation_cam_from_world(pan_rad: float, tilt_rad: float, roll_rad: float) -> FloatArray:
-    """World -> camera rotation: the transpose of Rz(pan) @ Rx(tilt) @ Rz(roll).
-
-    Returns:
-        (3, 3); camera axes are x right, y down, z forward.
-    """
+    """World -> camera rotation (3, 3): the transpose of Rz(pan) @ Rx(tilt) @ Rz(roll). Camera axes
+    are x right, y down, z forward."""
     world_from_cam = _rotation_z(pan_rad) @ _rotation_x(tilt_rad) @ _rotation_z(roll_rad)
     return np.ascontiguousarray(world_from_cam.T)
 
@@ -407,14 +404,10 @@ _SQUARE_PIXEL_TOLERANCE = 2e-3
 
 def model_name(camera: object, family: str, size: tuple[int, int]) -> str:
     """``pinhole P``, ``R``, ``R+`` or ``R2``, as fits are named; ``pinhole full`` with other
-    coefficients than k1 and k2. Of any other model what its file or plug-in calls it.
+    coefficients than k1 and k2. Of any other model ``family``: what its file or plug-in calls it.
 
-    P has one focal length and its principal point in the centre, R k1 besides, R+ an aspect ratio
-    and a principal point of its own, R2 a second coefficient.
-
-    Args:
-        camera: in px of ``size``. family: what its file or plug-in calls it.
-        size: (width, height) px.
+    P has one focal length and its principal point in the centre of the picture, R k1 besides, R+ an
+    aspect ratio and a principal point of its own, R2 a second coefficient.
     """
     if not isinstance(camera, PinholeCamera):
         return family

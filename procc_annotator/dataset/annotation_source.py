@@ -52,7 +52,6 @@ def open_annotations(
 
     Args:
         path: a folder, an archive or a file, see `annotations_of`.
-        field: knows the official names.
         names: which classes the labels of the files stand for; None: as the dataset's own
             ``labels.toml`` says, and where it has none they are classes.
         base: the folder a relative path starts from, as of `open_source`.
@@ -93,13 +92,8 @@ def open_files(path: Path, base: Path | None = None) -> FileSource:
 
 
 def read_labels(path: Path, field: Field) -> ReadSet:
-    """Annotations of any format with the labels they have in their files.
-
-    Args: as of `open_annotations`.
-
-    Raises:
-        UsageError, InputError: as of `open_annotations`.
-    """
+    """Annotations of any format with the labels they have in their files; arguments and errors
+    are those of `open_annotations`."""
     with open_source(path) as source:
         refuse_other_content(source)
         return _read(source, path, field, None)
@@ -113,15 +107,8 @@ def _read(source: FileSource, place: Path, field: Field, names: LabelMap | None)
 
 
 def own_label_map(place: Path, field: Field) -> LabelMap | None:
-    """The ``labels.toml`` of a dataset; None where it has none.
-
-    Args:
-        place: see `folder_of_dataset`.
-        field: has the classes that the labels stand for.
-
-    Raises:
-        InputError: it cannot be used.
-    """
+    """The ``labels.toml`` of a dataset (a place of `folder_of_dataset`); None where it has none.
+    `InputError` if it cannot be used."""
     folder = folder_of_dataset(place)
     path = None if folder is None else folder / LABELS_FILE
     return None if path is None or not os.path.lexists(path) else read_label_map(path, field)
@@ -207,11 +194,7 @@ class FrameAnnotations:
     """
 
     def __init__(self, source: FileSource | None = None, notices: tuple[str, ...] = ()) -> None:
-        """Nothing is read yet.
-
-        Args:
-            source: where they are; None: each frame knows its own file.
-        """
+        """Read nothing yet; without a source each frame knows its own file."""
         self._source = source
         self._files = AnnotationFiles() if source is None else list_annotations(source)
         self.unknown = source.unknown if isinstance(source, ReadSource) else {}
@@ -226,7 +209,6 @@ class FrameAnnotations:
         Args:
             place: the dataset: a folder, a picture, or a video.
             given: a folder, archive or file of annotations, where a person named one.
-            field: knows the official names.
             names: which classes the labels of the files stand for; None: as the ``labels.toml`` of
                 the dataset says, or of what was named, and if absent they are classes.
 
@@ -246,11 +228,8 @@ class FrameAnnotations:
             return cls(notices=(str(error),))
 
     def read(self, frame: Frame, field: Field) -> FrameAnnotation | None:
-        """Return what is annotated in a frame; None where it has no annotation.
-
-        Raises:
-            InputError: it cannot be read.
-        """
+        """Return what is annotated in a frame; None where it has no annotation. `InputError` if it
+        cannot be read."""
         data = self.bytes_of(frame)
         return None if data is None else read_plain(data, self.display(frame), field)
 

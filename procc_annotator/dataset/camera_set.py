@@ -57,11 +57,8 @@ class FrameCameras(Protocol):
         """The frames that have a camera."""
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
-        """A frame's camera for an evaluation size, or None if absent.
-
-        Raises:
-            CameraError: it cannot be read.
-        """
+        """A frame's camera for an evaluation size, or None if absent. `CameraError` if it cannot be
+        read."""
 
     def why_none(self, frame_name: str) -> str:
         """Why a frame has no camera, for people."""
@@ -104,7 +101,6 @@ class CameraSet:
         """List the cameras of a folder, a zip archive or a single file.
 
         Args:
-            path: where they are.
             fmt: one of `CAMERA_FORMATS`.
             camera_size: (width, height) the cameras' pixels belong to, where their files do
                 not say.
@@ -181,11 +177,8 @@ class CameraSet:
         return str(self.path)
 
     def opener(self, base: Path | None) -> Callable[[], CameraSet]:
-        """Return what opens the same set once more, as in another process.
-
-        Args:
-            base: what a relative path starts from, where that is another folder there.
-        """
+        """Return what opens the same set once more, as in another process, where a relative path
+        may start from another folder."""
         return partial(
             CameraSet.open, self.path, self.format, self.name, self.camera_size, self.field, base
         )
@@ -195,11 +188,8 @@ class CameraSet:
         return self._cameras.files()
 
     def camera(self, frame_name: str, size: tuple[int, int]) -> CameraForFrame | None:
-        """A frame's camera for an evaluation size, or None when the set has none.
-
-        Raises:
-            CameraError: the file is damaged.
-        """
+        """A frame's camera for an evaluation size, or None when the set has none. `CameraError` if
+        the file is damaged."""
         if frame_name not in self.frames:
             return None
         key = (frame_name, size)

@@ -94,11 +94,8 @@ _MOST_RESIDUAL = 2.0 / 1280  # of the picture's width
 
 
 def most_residual_px(width: float) -> float:
-    """Return how far the paint may be from the lines in a frame that is sure, px.
-
-    Args:
-        width: of the picture, px.
-    """
+    """Return how far the paint may be from the lines in a frame that is sure, in px of a picture so
+    many px wide."""
     return _MOST_RESIDUAL * width
 
 

@@ -38,21 +38,15 @@ _ADVICE = "the file needs a header like: frame,stadium,length,width"
 
 
 def field_with_stadiums(field: Field, folder: Path) -> Field:
-    """The field with what the file in a dataset's folder says; itself without a file.
-
-    Raises:
-        InputError: the file cannot be used; says where and why.
-    """
+    """The field with what the file in a dataset's folder says; itself without a file. `InputError`,
+    with the place and the reason, if the file cannot be used."""
     path = folder / STADIUMS_FILE
     return with_stadiums(field, read_stadiums(path, field)) if path.is_file() else field
 
 
 def read_stadiums(path: Path, field: Field) -> Stadiums:
-    """Read such a file.
-
-    Raises:
-        InputError: it is another file, or gives this field dimensions that it cannot have.
-    """
+    """Read such a file. `InputError` if it is another file, or gives this field dimensions that it
+    cannot have."""
     header, table = read_frame_table(path, (STADIUM,), _ADVICE)
     _check_header(path, header, field)
     frames: dict[str, str] = {}
@@ -72,11 +66,7 @@ def read_stadiums(path: Path, field: Field) -> Stadiums:
 
 
 def write_stadiums(path: Path, stadiums: Stadiums) -> None:
-    """Write such a file; it appears when it is complete.
-
-    Raises:
-        SaveError: it cannot be written.
-    """
+    """Write such a file; it appears when it is complete. `SaveError` if it cannot be written."""
     names = list(dict.fromkeys(name for own in stadiums.dimensions.values() for name in own))
     lines = [[FRAME, STADIUM, *names]]
     for frame, stadium in stadiums.frames.items():
@@ -154,12 +144,7 @@ K = TypeVar("K", _Dimensions, _Lines)
 
 
 def field_settings(settings: Mapping[str, str], field: Field) -> FieldSettings:
-    """The field settings of a workspace.
-
-    Args:
-        settings: by key.
-        field: the one that is annotated; what was kept for another field is nothing.
-    """
+    """The field settings, by key, of a workspace; what was kept for another field is nothing."""
     problems = []
 
     def read(key: str, kind: type[K], what: str) -> K | None:
@@ -189,15 +174,11 @@ def store_dimensions(database: WorkspaceDatabase, field: Field) -> None:
 
 
 def add_dimensions(database: WorkspaceDatabase, field: Field, found: Mapping[str, float]) -> Field:
-    """Let a dataset have dimensions that were found, and otherwise those it was given before.
+    """Let a dataset have dimensions, metres by name, that were found, and otherwise those it was
+    given before; return its field.
 
     Args:
-        database: of its workspace.
         field: what they were found with; dimensions of it that are not nominal were asked for.
-        found: metres, by name.
-
-    Returns:
-        The dataset's field.
 
     Raises:
         FieldError: together they are no field.
@@ -254,12 +235,7 @@ def aspect_setting(pixels: PixelAspect) -> str:
 
 def with_dataset_pixels(field: Field, place: Path) -> Field:
     """The field with the pixels of a dataset's pictures, as far as a video's metadata or its
-    workspace say.
-
-    Args:
-        field: the elements.
-        place: see `folder_of_dataset`.
-    """
+    workspace say; for the place see `folder_of_dataset`."""
     is_video = place.is_file() and place.suffix.lower() in VIDEO_SUFFIXES
     pixels = video_pixel_aspect(place / "0") if is_video else None
     if pixels is None and (folder := folder_of_dataset(place)) is not None:
@@ -301,16 +277,8 @@ def own_field_file(folder: Path) -> Path | None:
 
 
 def stored_field_source(folder: Path, settings: Mapping[str, str]) -> str | Path | None:
-    """Return what `load_field` takes for a dataset: a name or a file; None where the dataset does
-    not say.
-
-    Args:
-        folder: of the dataset.
-        settings: of its workspace.
-
-    Raises:
-        FieldError: what is kept cannot be read.
-    """
+    """Return what `load_field` takes for a dataset, a name or a file, by the settings of its
+    workspace; None where it does not say. `FieldError` if what is kept cannot be read."""
     if (own := own_field_file(folder)) is not None:
         return own
     text = settings.get(FIELD_SETTING)
@@ -328,15 +296,8 @@ def stored_field_source(folder: Path, settings: Mapping[str, str]) -> str | Path
 
 
 def field_of_settings(folder: Path, settings: Mapping[str, str]) -> DatasetField:
-    """The field of a dataset, as its folder and its workspace say, with its stadiums.
-
-    Args:
-        folder: of the dataset.
-        settings: of its workspace.
-
-    Raises:
-        FieldError: the field cannot be used; another one in its place would be wrong.
-    """
+    """The field of a dataset, as its folder and the settings of its workspace say, with its
+    stadiums. `FieldError` if it cannot be used: another one in its place would be wrong."""
     source = stored_field_source(folder, settings)
     field = load_field(source)
     kept = field_settings(settings, field)
@@ -352,14 +313,8 @@ def field_of_settings(folder: Path, settings: Mapping[str, str]) -> DatasetField
 
 
 def field_of_dataset(place: Path) -> DatasetField:
-    """The field of a dataset that is on the disk; nothing is written.
-
-    Args:
-        place: see `folder_of_dataset`; what has no folder (an archive) says nothing.
-
-    Raises:
-        FieldError: the dataset's field cannot be used.
-    """
+    """The field of a dataset that is on the disk, see `folder_of_dataset`; nothing is written, and
+    what has no folder (an archive) says nothing. `FieldError` if the field cannot be used."""
     folder = folder_of_dataset(place)
     if folder is None:
         return DatasetField(load_field(None))
@@ -393,13 +348,8 @@ def field_of_datasets(places: Iterable[Path]) -> DatasetField:
 
 
 def store_field(database: WorkspaceDatabase, folder: Path, field: Field) -> None:
-    """Let a dataset remember its field, with its dimensions and where its lines are.
-
-    Args:
-        database: of its workspace.
-        folder: of the dataset; the path of a file inside it is kept relative to it.
-        field: as it was loaded, with any dimensions.
-    """
+    """Let a dataset remember its field as it was loaded, with its dimensions and where its lines
+    are; the path of a file inside the dataset's folder is kept relative to it."""
     database.set_setting(FIELD_SETTING, json.dumps(_stored(folder, field)))
     store_dimensions(database, field)
     store_lines(database, field)

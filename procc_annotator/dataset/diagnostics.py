@@ -65,11 +65,8 @@ def camera_suffixes() -> frozenset[str]:
 
 
 def refuse_cameras(source: FileSource, names: Sequence[str]) -> None:
-    """Refuse files that are cameras, by the first of them, where annotations were asked for.
-
-    Raises:
-        UsageError: they are.
-    """
+    """Refuse, by `UsageError`, files that are cameras, by the first of them, where annotations were
+    asked for."""
     first = names[:_LOOKED_INTO]
     titles = [_camera_title(source, name) for name in first]
     if not titles or not all(titles):
@@ -82,12 +79,8 @@ def refuse_cameras(source: FileSource, names: Sequence[str]) -> None:
 
 
 def refuse_other_content(source: FileSource) -> None:
-    """Refuse a source without annotations of any format, where it can be determined what it is
-    instead.
-
-    Raises:
-        UsageError: it holds something else.
-    """
+    """Refuse, by `UsageError`, a source without annotations of any format, where it can be
+    determined what it is instead."""
     try:
         names, files = source.tree(), list(list_annotations(source).values())
     except InputError:  # told by the reader of the format, for which it may be no problem
@@ -257,13 +250,8 @@ def rank_fields(classes: Collection[str], more: Sequence[Field] = ()) -> tuple[F
 def mismatch_of(
     classes: Collection[str], field: Field, more: Sequence[Field] = ()
 ) -> Mismatch | None:
-    """Return the remark on the classes of a set; None where its field knows them all.
-
-    Args:
-        classes: names as in files.
-        field: the one the set is said to show.
-        more: fields next to those the package ships.
-    """
+    """Return the remark on the classes of a set that is said to show a field, None where that knows
+    them all; for the arguments see `rank_fields`."""
     wanted = distinctive_classes(classes)
     unknown = wanted - _stripped(field)
     if not unknown:

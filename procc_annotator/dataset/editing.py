@@ -31,10 +31,7 @@ def insert_point(
     annotation: FrameAnnotation, class_name: str, index: int, point: Point
 ) -> FrameAnnotation:
     """Put a point before the one at ``index`` (``index`` = number of points: at the end).
-
-    Raises:
-        IndexError: no such place.
-    """
+    `IndexError` if there is no such place."""
     points = _points(annotation, class_name)
     if not 0 <= index <= len(points):
         raise IndexError(f"{class_name!r} has {len(points)} points, cannot insert at {index}")
@@ -44,11 +41,8 @@ def insert_point(
 def move_point(
     annotation: FrameAnnotation, class_name: str, index: int, point: Point
 ) -> FrameAnnotation:
-    """Put a point elsewhere; what the file said about it besides its place stays.
-
-    Raises:
-        IndexError: no such point.
-    """
+    """Put a point elsewhere; what the file said about it besides its place stays. `IndexError` if
+    there is no such point."""
     points = _points(annotation, class_name)
     old = _at(points, class_name, index)
     moved = point if point.extra else Point(point.u, point.v, old.extra)
@@ -56,20 +50,13 @@ def move_point(
 
 
 def delete_point(annotation: FrameAnnotation, class_name: str, index: int) -> FrameAnnotation:
-    """Remove a point; the last one takes the class with it.
-
-    Raises:
-        IndexError: no such point.
-    """
+    """Remove a point; the last one takes the class with it. `IndexError` if no such point."""
     return delete_points(annotation, {(class_name, index)})
 
 
 def change_class(annotation: FrameAnnotation, old: str, new: str) -> FrameAnnotation:
-    """Give a polyline another class, in place.
-
-    Raises:
-        ValueError: the new class already has points, or the old one does not exist.
-    """
+    """Give a polyline another class, in place. `ValueError` if the new class already has points, or
+    the old one does not exist."""
     if old == new:
         return annotation
     if annotation.get(old) is None:
@@ -88,11 +75,8 @@ def change_class(annotation: FrameAnnotation, old: str, new: str) -> FrameAnnota
 def move_points(
     annotation: FrameAnnotation, chosen: Collection[PointRef], du: float, dv: float
 ) -> FrameAnnotation:
-    """Shift points, of whatever classes, by a normalised distance.
-
-    Raises:
-        IndexError: one of the points does not exist.
-    """
+    """Shift points, of whatever classes, by a normalised distance. `IndexError` if one of the
+    points does not exist."""
     for name, indices in _by_class(chosen).items():
         points = list(_points(annotation, name))
         for index in indices:
@@ -103,11 +87,8 @@ def move_points(
 
 
 def delete_points(annotation: FrameAnnotation, chosen: Collection[PointRef]) -> FrameAnnotation:
-    """Remove points of whatever classes; a class that loses its last point goes.
-
-    Raises:
-        IndexError: one of the points does not exist.
-    """
+    """Remove points of whatever classes; a class that loses its last point goes. `IndexError` if
+    one of the points does not exist."""
     for name, indices in _by_class(chosen).items():
         points = _points(annotation, name)
         for index in indices:
@@ -168,11 +149,8 @@ def merge(annotation: FrameAnnotation, source: str, target: str) -> FrameAnnotat
 
 
 def swap_classes(annotation: FrameAnnotation, first: str, second: str) -> FrameAnnotation:
-    """Give each of two polylines the other's class; one of them may be absent.
-
-    Raises:
-        ValueError: neither is annotated.
-    """
+    """Give each of two polylines the other's class; one of them may be absent. `ValueError` if
+    neither is annotated."""
     names = {first: second, second: first}
     if not any(annotation.get(name) for name in names):
         raise ValueError(f"neither {first!r} nor {second!r} is annotated")
@@ -275,11 +253,8 @@ class History:
         return self._steps[self._position + 1][0] if self.can_redo else None
 
     def push(self, label: str, annotation: FrameAnnotation) -> bool:
-        """Make an edit the newest step; steps that were undone are given up.
-
-        Returns:
-            False when the annotation did not change: then there is no step.
-        """
+        """Make an edit the newest step; steps that were undone are given up. False when the
+        annotation did not change: then there is no step."""
         if annotation == self.current:
             return False
         del self._steps[self._position + 1 :]

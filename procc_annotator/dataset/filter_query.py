@@ -141,11 +141,8 @@ class FrameQuery:
 
 
 def parse_query(text: str, field: Field) -> FrameQuery:
-    """Read a filter; classes are those of the field.
-
-    Raises:
-        UsageError: a condition that typing on cannot fix: which character, what to write instead.
-    """
+    """Read a filter; classes are those of the field. `UsageError`, with the character and what to
+    write instead, for a condition that typing on cannot fix."""
     conditions = []
     incomplete = ""
     for word in split_words(text):

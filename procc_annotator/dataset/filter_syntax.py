@@ -187,10 +187,9 @@ def _number(text: str, place: int, whole: bool, example: str) -> float:
 def choose(
     parts: Iterable[Part], choices: Mapping[str, str], what: str, others: Mapping[str, str]
 ) -> tuple[list[str], str]:
-    """The alternatives that are choices, and what is missing in the others.
+    """The alternatives, as they were written, that are choices, and what is missing in the others.
 
     Args:
-        parts: as they were written.
         choices: the spelling that is compared -> the one that is shown.
         what: a choice is, with its article.
         others: what belongs behind another key -> how it is written there.

@@ -64,11 +64,8 @@ class _Node:
 
 
 def folders_of(names: Sequence[str]) -> tuple[Folder, ...]:
-    """The folders of a tree, each before those in it; none of a flat dataset.
-
-    Args:
-        names: of the frames, folder after folder, a folder's own before those of the folders in it.
-    """
+    """The folders of a tree, each before those in it; none of a flat dataset. The names of the
+    frames come folder after folder, a folder's own before those of the folders in it."""
     root, at = _Node(""), 0
     for folder, group in groupby(names, key=lambda name: name.rpartition("/")[0]):
         past = at + sum(1 for _ in group)
@@ -103,7 +100,6 @@ def rows_of(
     frame that is shown are left out.
 
     Args:
-        folders: of `folders_of`.
         folded: paths of those that are shown without their content.
         shown: ascending, the frames that a filter lets through; None: all.
     """

@@ -70,9 +70,7 @@ def find_pictures(root: Path) -> PictureTree:
     where what was kept of a video does not count.
 
     Pictures that all lie in one folder just below are called as if they lay at the top.
-
-    Raises:
-        InputError: the folder itself cannot be listed, or the tree is too deep or too large.
+    `InputError` if the folder itself cannot be listed, or the tree is too deep or too large.
     """
     if top := pictures_in(root):
         return PictureTree((("", tuple(top)),))
@@ -97,11 +95,7 @@ def _container(root: Path, folders: Sequence[str]) -> str:
 
 
 def has_pictures(root: Path) -> bool:
-    """Return whether there is any picture in a folder, or below it.
-
-    Raises:
-        InputError: as of `find_pictures`.
-    """
+    """Return whether there is any picture in a folder, or below it; raises as `find_pictures`."""
     return bool(pictures_in(root)) or any(True for _ in _below(root, lambda _: None))
 
 
@@ -128,10 +122,7 @@ def video_frames_folder_name(name: str) -> str:
 
 def pictures_in(folder: Path) -> list[str]:
     """File names of a folder's pictures, their frames in natural order; none of those below it.
-
-    Raises:
-        InputError: the folder cannot be listed.
-    """
+    `InputError` if the folder cannot be listed."""
     try:
         with os.scandir(folder) as entries:
             names = [
@@ -177,11 +168,8 @@ OWN_FILES_AND_FOLDERS = (
 
 
 def camera_name_remark(pictures: Iterable[str]) -> str:
-    """A remark on pictures that would give their annotation files a camera's name; empty without.
-
-    Args:
-        pictures: file names.
-    """
+    """A remark on picture files that would give their annotation files a camera's name; empty
+    without."""
     found = [name for name in pictures if name.startswith(CAMERA_PREFIX)]
     if not found:
         return ""
@@ -196,11 +184,7 @@ def camera_name_remark(pictures: Iterable[str]) -> str:
 
 def camera_name_remark_in(place: Path) -> str:
     """`camera_name_remark` of the pictures that belong to a folder of annotations, next to them or
-    in the folder above.
-
-    Raises:
-        InputError: a folder cannot be listed.
-    """
+    in the folder above. `InputError` if a folder cannot be listed."""
     folder = folder_of_dataset(place) if place.is_dir() else None
     return camera_name_remark(pictures_in(folder)) if folder is not None else ""
 
@@ -274,11 +258,7 @@ def annotations_of(dataset: Path) -> Path:
 
 def annotations_or_path(place: Path) -> Path:
     """`annotations_of` a folder or an annotated video; anything else is itself: what it holds is
-    reported where it is read.
-
-    Raises:
-        UsageError: a folder of several videos with their annotations.
-    """
+    reported where it is read. `UsageError` for a folder of several videos with annotations."""
     if place.is_dir():
         return annotations_of(place)
     beside = frames_folder(place) if place.suffix.lower() in VIDEO_SUFFIXES else None
@@ -340,11 +320,7 @@ def annotated_videos(folder: Path) -> list[Path]:
 def has_pictures_below(dataset: Path) -> bool:
     """Return whether the pictures of a dataset, if it has any, are those of the folders below it:
     neither pictures nor annotations lie at its top. Next to annotations such folders are other
-    things, of overlays for example.
-
-    Raises:
-        InputError: it cannot be listed.
-    """
+    things, of overlays for example. `InputError` if it cannot be listed."""
     if not dataset.is_dir() or pictures_in(dataset):
         return False
     return not _annotated_at_top(dataset)
@@ -396,17 +372,8 @@ def json_names(folder: Path) -> list[str]:
 
 
 def copy_sample(sample: Path) -> Path:
-    """The user's copy of the sample; made if absent, else as they left it.
-
-    Args:
-        sample: the folder that comes with the program.
-
-    Returns:
-        The folder, below the user's data folder; it is there wholly or not at all.
-
-    Raises:
-        SaveError: it cannot be made.
-    """
+    """The user's copy, below their data folder, of the sample that comes with the program; made if
+    absent, wholly or not at all, else as they left it. `SaveError` if it cannot be made."""
     home = data_folder()
     if home is None:
         raise SaveError("the sample cannot be copied: there is no home folder")

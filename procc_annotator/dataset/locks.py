@@ -129,9 +129,8 @@ class FrameLocks:
     def beat(self) -> frozenset[str]:
         """Renew the locks of this window; call it every ten seconds or so.
 
-        Returns:
-            The frames with a lost lock: taken by a person who saw no beat for long (a laptop
-            asleep), or removed. A dataset out of reach loses nothing.
+        Return the frames with a lost lock: taken by a person who saw no beat for long (a laptop
+        asleep), or removed. A dataset out of reach loses nothing.
         """
         lost = set()
         for frame, note in self._held.items():

@@ -40,11 +40,7 @@ class PicturesByName(Generic[T]):
     all folders."""
 
     def __init__(self, pictures: FrameTable[T]) -> None:
-        """Look at nothing yet.
-
-        Args:
-            pictures: by frame.
-        """
+        """Look at nothing yet."""
         self._pictures = pictures
         self._of_stem: ByFrame[str | None] | None = None
 
@@ -157,11 +153,8 @@ class PictureSizes:
 
 
 def picture_size(path: Path) -> Size:
-    """(width, height) px of a picture as it is shown.
-
-    Raises:
-        ImageError: it is not a readable picture, or has the shape of none.
-    """
+    """(width, height) px of a picture as it is shown. `ImageError` if it is not a readable picture,
+    or has the shape of none."""
     size = None
     if path.is_file():
         try:
@@ -242,12 +235,8 @@ class FitSizes:
         return self._pictures.path(name)
 
     def of_frame(self, name: str, annotation: FrameAnnotation) -> FrameSize:
-        """The size to fit a frame at; its picture says, or else its annotation file.
-
-        Args:
-            name: of the frame.
-            annotation: its further entries may give the picture's size.
-        """
+        """The size to fit a frame at; its picture says, or else its annotation's further
+        entries."""
         told = size_in_annotation(annotation)
         if told is not None and not is_valid_size(*told):
             told = None
@@ -260,14 +249,8 @@ class FitSizes:
 def pictures_of_another_shape(
     annotations: Path, frames: Sequence[str], sizes: Iterable[Size]
 ) -> list[str]:
-    """Return what to know where frames are compared at a fixed size and their pictures differ from
-    it.
-
-    Args:
-        annotations: what they are read from; pictures are looked for around it.
-        frames: names; of many some are examined.
-        sizes: (width, height) px that are compared at.
-    """
+    """Return what to know where frames are compared at fixed sizes (width, height) px and their
+    pictures, looked for around their annotations, differ from it. Of many some are examined."""
     pictures = PictureSizes.around(annotations, annotations)
     looked_at = frames[:: max(1, len(frames) // _LOOKED_AT)]
     found = dict.fromkeys(size for size in map(pictures.size, looked_at) if size is not None)

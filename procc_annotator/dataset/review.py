@@ -93,12 +93,10 @@ def store_check(
     fitted: bool = True,
     with_paint: bool = False,
 ) -> FrameCheck:
-    """Return what to keep of a check.
+    """Return what to keep of a check of an annotation: what was found, the surest first, and the
+    camera fitted to it, or why that failed.
 
     Args:
-        annotation: that was checked.
-        findings: what was found, the surest first.
-        fit: the camera that was fitted to it, or why that failed.
         fitted: False if the camera was not asked for.
         with_paint: whether the picture was examined.
     """
@@ -113,14 +111,8 @@ def store_check(
 def check_with_camera_side(
     checked: FrameCheck, annotation: FrameAnnotation, field: Field, other: OppositeSideFrame
 ) -> FrameCheck:
-    """A check with what a set's cameras say of the side that this frame's stands on.
-
-    Args:
-        checked: of this annotation.
-        annotation: of the frame.
-        field: its elements.
-        other: what the set says.
-    """
+    """A check of an annotation with what a set's cameras say of the side that this frame's stands
+    on."""
     finding = opposite_side_finding(annotation, field, other)
     return checked if finding is None else with_set_findings(checked, _found(finding, annotation))
 
@@ -153,8 +145,6 @@ def check_frame(
     """Fit a camera to a frame's annotation and check its labels; safe from any thread.
 
     Args:
-        annotation: of the frame.
-        field: its elements.
         size: (width, height) px of the picture.
         model: see `fit_camera`.
         paint: class -> what the picture shows along it; None where no one looked.
@@ -242,11 +232,8 @@ SETTING = "ignored finding "
 
 
 def ignored_keys(settings: Iterable[str]) -> dict[str, frozenset[str]]:
-    """Frame -> the keys of its findings that are ignored.
-
-    Args:
-        settings: names of a dataset's settings that are set.
-    """
+    """Frame -> the keys of its findings that are ignored, by the names of a dataset's settings that
+    are set."""
     found: dict[str, set[str]] = {}
     for setting in settings:
         if setting.startswith(SETTING):
@@ -309,12 +296,8 @@ def write_commit(commit: BlindCommit) -> str:
 
 
 def blind_status(text: str | None, annotation: FrameAnnotation) -> BlindStatus:
-    """Return what may be said of a frame's clicks.
-
-    Args:
-        text: what is kept under `setting_of` the frame.
-        annotation: of the frame, as it is now.
-    """
+    """Return what may be said of a frame's clicks as they are now, by the text that is kept under
+    `setting_of` the frame."""
     commit = read_commit(text)
     return commit.work(annotation) if commit is not None else BlindStatus.UNKNOWN
 

@@ -74,13 +74,8 @@ class FileStamps(Generic[K]):
         *,
         only: Iterable[K] | None = None,
     ) -> dict[K, Stamp]:
-        """Files that are not as they were read, and how they are now; one look at each.
-
-        Args:
-            path_of: where a file is.
-            stopped: whether to give up.
-            only: look at these, as far as they were read.
-        """
+        """Files that are not as they were read, and how they are now; one look at each, as far as
+        they were read (and at these ``only``), until ``stopped``."""
         found: dict[K, Stamp] = {}
         stamps = self._stamps
         asked = list(stamps) if only is None else [key for key in only if key in stamps]
@@ -129,11 +124,7 @@ class PendingSave:
         return write_annotation(self.annotation)
 
     def look(self) -> bytes | None:
-        """Return what the file holds; None if absent.
-
-        Raises:
-            SaveError: it cannot be read.
-        """
+        """Return what the file holds; None if absent. `SaveError` if it cannot be read."""
         try:
             return read_optional(self.path, AnnotationError)
         except InputError as error:

@@ -61,17 +61,7 @@ class PictureSource:
     def annotated(
         self, annotations: Path | None, field: Field, names: LabelMap | None = None
     ) -> FrameAnnotations:
-        """Return what is annotated in them.
-
-        Args:
-            annotations: a folder, archive or file of annotations, if they are not where they would
-                be looked for.
-            field: knows the official names.
-            names: what the labels of the files stand for, as of `FrameAnnotations.of`.
-
-        Raises:
-            UsageError, InputError: as of `FrameAnnotations.of`.
-        """
+        """Return what is annotated in them; see `FrameAnnotations.of`."""
         return FrameAnnotations.of(self.path, annotations, field, names)
 
 
@@ -186,11 +176,7 @@ class SequencePictures:
             self._video.close()
 
     def __call__(self, number: int) -> PixelArray:
-        """(H, W, 4) BGRA.
-
-        Raises:
-            ImageError: there is no such picture, or it cannot be decoded.
-        """
+        """(H, W, 4) BGRA; `ImageError` if there is no such picture, or it cannot be decoded."""
         if self._video is not None:
             return self._video.frame(number)
         if number not in self._paths:
@@ -290,17 +276,11 @@ def _neighbours_similar(
 
 
 def find_shots(source: PictureSource, progress: Callable[[int, int], None]) -> list[range]:
-    """Return the stretches between cuts: the numbers of the frames of each shot.
+    """Return the stretches between cuts: the numbers of the frames of each shot, from 0.
 
     What changes the picture at once without another camera (a banner, a flash) is no cut: the
-    stadium moves on steadily behind it.
-
-    Args:
-        source: its frames, numbered from 0.
-        progress: called now and then with frames done and their count.
-
-    Raises:
-        ImageError: a video that cannot be read.
+    stadium moves on steadily behind it. ``progress`` is called now and then with frames done and
+    their count. `ImageError` for a video that cannot be read.
     """
     count = len(source.frames)
     if source.is_video:
@@ -348,16 +328,12 @@ def _is_cut(frames: Sequence[Frame], number: int) -> bool:
 
 
 def open_video(video: Path, numbers: Iterable[int], field: Field) -> Workspace:
-    """The chosen frames of a video, and those worked on before, named ``match_000123``.
+    """The chosen frames (numbered from 0) of a video, and those worked on before, named
+    ``match_000123``.
 
     Their pictures are decoded when asked for (paths like ``match.mp4/00000123``). Annotations lie
     in `frames_folder`, where `keep_frame` puts the pictures too, so that the folder is a dataset of
     its own.
-
-    Args:
-        video: an existing video file.
-        numbers: frame numbers, counted from 0.
-        field: knows the class names.
     """
     folder = frames_folder(video)
     frames = tuple(
@@ -382,10 +358,7 @@ def _frames_with_work(video: Path) -> list[int]:
 
 def keep_frame(frame: Frame, picture: PixelArray) -> Path:
     """Write a frame's picture next to its annotation, without loss; the same file each time.
-
-    Raises:
-        SaveError: it could not be written.
-    """
+    `SaveError` if it could not be written."""
     path = frame.annotation_folder / f"{frame.name}.png"
     if not path.parent.is_dir():
         raise SaveError(f"{path.parent}: does not exist, the picture was not kept")

@@ -78,12 +78,8 @@ class Workspace:
     def open(cls, path: Path, field: Field, annotations: Path | None = None) -> Workspace:
         """List a folder's pictures in natural order, or take a single picture.
 
-        Nothing is decoded and no annotation is read.
-
-        Args:
-            path: folder or picture.
-            field: knows the class names.
-            annotations: folder of the annotation files; it need not exist yet.
+        Nothing is decoded and no annotation is read; the folder of the annotation files need not
+        exist yet.
 
         Raises:
             UsageError: no such folder, or a file that is no picture.
@@ -163,19 +159,12 @@ class Workspace:
 
     def read(self, index: int) -> FrameAnnotation:
         """A frame's annotation as it is now, without keeping anything; safe from any thread.
-
-        Raises:
-            InputError: the file cannot be used.
-        """
+        `InputError` if the file cannot be used."""
         found = self.annotation_to_score(index)
         return found if found is not None else EMPTY
 
     def annotation_to_score(self, index: int) -> FrameAnnotation | None:
-        """As `read`; None for a frame that has no file and so belongs to no figure of the set.
-
-        Raises:
-            InputError: the file cannot be used.
-        """
+        """As `read`; None for a frame that has no file and so belongs to no figure of the set."""
         state = self._states.get(index)
         if state is not None and (index not in self._outdated or state.dirty):
             if state.error is not None:
@@ -201,11 +190,8 @@ class Workspace:
         return len(self.read(index).annotated)
 
     def edit(self, index: int, label: str, annotation: FrameAnnotation) -> bool:
-        """Make an edit a step of the frame's history; False when it changes nothing.
-
-        Raises:
-            UsageError: the frame's annotation file is unreadable, so editing could destroy it.
-        """
+        """Make an edit a step of the frame's history; False when it changes nothing. `UsageError`
+        if the frame's annotation file is unreadable, so editing could destroy it."""
         assert self.given is None  # opened to be read
         state = self.state(index)
         if state.error is not None:
@@ -384,11 +370,8 @@ class Workspace:
         return True
 
     def parse(self, index: int, data: bytes) -> FrameAnnotation:
-        """The annotation that a frame's file, or an earlier version of it, holds.
-
-        Raises:
-            InputError: it cannot be read.
-        """
+        """The annotation that a frame's file, or an earlier version of it, holds. `InputError` if
+        it cannot be read."""
         frame = self.frames[index]
         shown = frame.annotation_path if self.given is None else self.given.display(frame)
         return read_plain(data, str(shown), self.field)

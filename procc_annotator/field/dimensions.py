@@ -52,11 +52,8 @@ class Relation:
         return f"{self.left} {self.sign} {self.right}"
 
     def sides(self, values: Mapping[str, float]) -> tuple[float, float]:
-        """Both sides for these dimensions, metres by name.
-
-        Raises:
-            FormulaError: a side is no formula of them, or has no finite value.
-        """
+        """Both sides for these dimensions, metres by name; `FormulaError` if a side is no formula
+        of them, or has no finite value."""
         formulas = Formulas({"pi": math.pi, **values})
         left, right = formulas.value(self.left), formulas.value(self.right)
         for value in (left, right):
@@ -80,16 +77,8 @@ class Relation:
 def read_relations(
     values: FieldFileValues, texts: object, dimensions: tuple[Dimension, ...]
 ) -> tuple[Relation, ...]:
-    """The relations of a field file; the nominal dimensions must be so.
-
-    Args:
-        values: of the file, for errors.
-        texts: what the file has for ``relations``.
-        dimensions: all that relations may name.
-
-    Raises:
-        FieldError: names the file and the relation that is wrong.
-    """
+    """The relations of a field file, which may name its dimensions; the nominal ones must be so.
+    `FieldError`, with the file and the relation, if one is wrong."""
     if not isinstance(texts, list) or len(texts) > _MAX_RELATIONS:
         raise values.error("relations", 'expected a list of relations, as ["length > width"]')
     nominal = {d.name: d.nominal for d in dimensions}
@@ -119,12 +108,8 @@ def _relation_of(text: str) -> Relation:
 
 
 def violated_relation(relations: tuple[Relation, ...], values: Mapping[str, float]) -> str:
-    """Return what is wrong by the first relation that does not hold; empty where all do.
-
-    Args:
-        relations: of one field.
-        values: of all its dimensions, metres by name.
-    """
+    """Return what is wrong by the first relation that does not hold for all dimensions of a field,
+    metres by name; empty where all do."""
     return next(filter(None, (relation.violation(values) for relation in relations)), "")
 
 

@@ -255,11 +255,8 @@ class MarkingReader:
             self._look(place, LINE, 0.0, table, {})
 
     def of(self, place: str, geometry: Geometry, entry: Mapping[str, Any]) -> MarkingProperties:
-        """Return what an element's own table says, and what is said of all such elements.
-
-        Raises:
-            FieldError: names the place of what is wrong.
-        """
+        """Return what an element's own table says, and what is said of all such elements;
+        `FieldError`, with the place, if something is wrong."""
         spot, on_ground = isinstance(geometry, Spot), is_on_ground(geometry)
         usual = self._lines if on_ground and not spot else {}
         width = entry.get("line_width", usual.get("line_width", 0.0))

@@ -270,17 +270,9 @@ def offset_parts(geometry: Geometry, normal: FloatArray, offset: float) -> list[
 
 
 def extended_corner(one: tuple[Line | Arc, bool], other: tuple[Line | Arc, bool]) -> Vector | None:
-    """Return where an end of one shape and an end of another would meet if they went on as they
-    run.
-
-    Args:
-        one: with whether its last end is meant, else its first.
-        other: the same of a shape in the same plane.
-
-    Returns:
-        Metres; None where the ends are together, where two lines go on straight, where a line
-        passes an arc by, and for two arcs.
-    """
+    """Return where an end (the last one if True) of one shape and an end of another in the same
+    plane would meet, metres, if they went on as they run; None where the ends are together, where
+    two lines go on straight, where a line passes an arc by, and for two arcs."""
     (first, first_last), (second, second_last) = one, other
     here, there = _end_point(first, first_last), _end_point(second, second_last)
     if math.dist(here, there) < _SAME_CORNER_M:
@@ -295,13 +287,8 @@ def extended_corner(one: tuple[Line | Arc, bool], other: tuple[Line | Arc, bool]
 
 
 def with_end_at(part: Line | Arc, last: bool, place: Vector) -> Line | Arc:
-    """A line or an arc that ends at another place of its course.
-
-    Args:
-        part: any.
-        last: whether it is its last end, else its first.
-        place: metres.
-    """
+    """A line or an arc with its last end, else its first, at another place of its course,
+    metres."""
     if isinstance(part, Line):
         return Line(part.start, place) if last else Line(place, part.end)
     out = np.array(place) - part.centre

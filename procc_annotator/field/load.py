@@ -132,13 +132,8 @@ def _field_from_text(
 
 
 def place_in_file(field: Field, place: str) -> str:
-    """Return where something in a field's description stands, as errors name it: file, line and
-    place.
-
-    Args:
-        field: as it was loaded.
-        place: as `field.file_reader` and `field.validation` name it.
-    """
+    """Return where something in the description of a field, as it was loaded, stands, as errors
+    name it: file, line and place; see `field.file_reader` and `field.validation`."""
     if field.source is None or is_builtin_field(field.source):
         return f"{field.name}: {place}"
     line = line_number_of(read_toml_text(field.source), place)
@@ -183,11 +178,8 @@ def with_dimensions(
 
 
 def with_lines(field: Field, lines: str) -> Field:
-    """The same field with its lines in the middle of their paint, or where the rules measure them.
-
-    Args:
-        field: as it was loaded, with any dimensions and landmarks.
-        lines: one of `LINES`.
+    """The same field with its lines in the middle of their paint, or where the rules measure them,
+    by one of `LINES`; dimensions and landmarks stay.
 
     Raises:
         FieldError: no such choice, or the field's description cannot be read any more.
@@ -215,11 +207,8 @@ def _with_dataset_additions(loaded: Field, of: Field) -> Field:
 
 
 def read_toml_text(path: Path, error: type[InputError] = FieldError) -> str:
-    """The text of a TOML file that is small enough to be parsed at once.
-
-    Raises:
-        error: it cannot be read, is too large, no UTF-8, or has a key of too many parts.
-    """
+    """The text of a TOML file that is small enough to be parsed at once; ``error`` if it cannot be
+    read, is too large, no UTF-8, or has a key of too many parts."""
     try:
         data = read_head(path, _MAX_FILE_BYTES + 1)
         if len(data) > _MAX_FILE_BYTES:
@@ -240,11 +229,8 @@ def read_toml_text(path: Path, error: type[InputError] = FieldError) -> str:
 
 
 def with_stadiums(field: Field, stadiums: Stadiums | None) -> Field:
-    """The field with stadiums that have dimensions it allows, in place of its former ones.
-
-    Raises:
-        FieldError: a stadium's dimensions are none of this field.
-    """
+    """The field with stadiums that have dimensions it allows, in place of its former ones;
+    `FieldError` if a stadium's dimensions are none of this field."""
     if stadiums is None or not stadiums.dimensions:
         return field if field.stadiums is None else replace(field, stadiums=None)
     sized = replace(field, stadiums=stadiums)
@@ -255,13 +241,7 @@ def with_stadiums(field: Field, stadiums: Stadiums | None) -> Field:
 
 def field_for_stadium(field: Field, stadium: str | None) -> Field:
     """The field with a stadium's dimensions; those that it does not name are the field's own.
-
-    Args:
-        stadium: one of the field's; itself for another one, or None.
-
-    Raises:
-        FieldError: the dimensions are none of this field.
-    """
+    Itself for no stadium of its own. `FieldError` if the dimensions are none of this field."""
     if field.stadiums is None or stadium is None or stadium not in field.stadiums.dimensions:
         return field
     known = field.of_stadiums.get(stadium)

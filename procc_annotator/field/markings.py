@@ -34,18 +34,13 @@ _BORDER_SEPARATOR = "\n"  # no name in a field's file has a line break
 
 
 def marking_field(field: Field) -> Field:
-    """The borders of all painted bands as a field of their own, to be projected like any other.
+    """The borders of all painted bands as a field of their own, to be projected like any other; one
+    without elements where nothing is painted.
 
     Of a band that is measured at its middle those are two lines, half the paint's width away; of
     one that is measured at an edge the other edge. Bands lie in the plane of their element: the
     ground, or the plane of a curve. A straight line in the air has one only together with the place
     its paint lies towards. Names of the elements go through `class_of_border`.
-
-    Args:
-        field: any.
-
-    Returns:
-        No element where nothing is painted.
     """
     return replace(field, elements=_border_elements(field.elements), symmetries=(), landmarks=())
 
@@ -57,12 +52,9 @@ def class_of_border(border: str) -> str:
 
 def marking_side(element: Element) -> str:
     """``inside`` or ``outside``: where the paint lies of an element that is measured at an edge of
-    it. Of a curve that is its own inside, of a straight line the field's centre lies inside.
-
-    Returns:
-        "" where it is measured at its middle, or where neither side is the inner one (a line
-        through the centre).
-    """
+    it. Of a curve that is its own inside, of a straight line the field's centre lies inside. ""
+    where it is measured at its middle, or where neither side is the inner one (a line through the
+    centre)."""
     if element.inside is None or element.line_width <= 0:
         return ""
     if isinstance(element.geometry, Line):
@@ -117,16 +109,8 @@ def marking_normal(element: Element) -> FloatArray | None:
 
 
 def border_offsets(element: Element, normal: FloatArray) -> tuple[float, ...]:
-    """Return how far the borders are from the element, metres, to the side of ``normal x
-    direction``.
-
-    Args:
-        element: a painted one.
-        normal: (3,) see `marking_normal`.
-
-    Returns:
-        One where the element is measured at an edge of its paint, else one to either side.
-    """
+    """Return how far the borders of a painted element are from it, metres, to the side of ``normal
+    x direction``: one where it is measured at an edge of its paint, else one to either side."""
     if element.inside is None:
         return element.line_width / 2, -element.line_width / 2
     place = np.array(element.inside)
@@ -173,10 +157,7 @@ def with_centred_markings(field: Field) -> Field:
 
     Lines that shared an end, as at the corner of a court, end where their middles cross.
     What has no paint, or paint that lies no one knows where, stays: spots, posts, nets. Names,
-    order, symmetries and all else stay.
-
-    Args:
-        field: any; one that went through here comes back as it is.
+    order, symmetries and all else stay; a field that went through here comes back as it is.
     """
     if field.lines == MIDDLE_LINE:
         return field

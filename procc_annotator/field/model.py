@@ -385,17 +385,11 @@ class NoPartnerError(ValueError):
 
 
 def find_symmetry(elements: Sequence[Element], turn_degrees: float) -> Symmetry:
-    """The symmetry of a turn, each element's partner found by its place.
+    """The symmetry of a turn, degrees from +x towards +y, each element's partner found by its
+    place; `NoPartnerError` if the field is not the same after it.
 
     Elements that lie at the same place (one the prolongation of none, but drawn over) are reported
     apart by their order: the first goes to the first that is free.
-
-    Args:
-        elements: of a field.
-        turn_degrees: from +x towards +y.
-
-    Raises:
-        NoPartnerError: the field is not the same after the turn.
     """
     turn = math.radians(turn_degrees)
     free = dict.fromkeys(range(len(elements)))

@@ -64,17 +64,12 @@ def _official_cached(key: tuple[tuple[str, Geometry], ...]) -> FieldSamples:
 
 
 def sample_official(field: Field) -> FieldSamples:
-    """Samples at the spacing of the official SoccerNet evaluation, its uneven ends included.
+    """Samples, metres, at the spacing of the official SoccerNet evaluation, its uneven ends
+    included; about a thousand for a large field.
 
     Straight elements: first end, then ``int(length / 0.9 - 1)`` points 0.9 m apart, then the second
     end. Circles: 0.2 m of arc apart (0.1 rad where that is less), not closed. Arcs: the same, then
     the exact end. Chains: part by part; spots: themselves.
-
-    Args:
-        field: E elements.
-
-    Returns:
-        N samples, metres; about a thousand for a large field.
     """
     return _official_cached(tuple((e.name, e.geometry) for e in field.elements))
 
@@ -167,12 +162,8 @@ _ROUNDING_TOLERANCE_M = 1e-3  # more than products of matrices lose
 
 
 def distances_from(field: Field, class_names: Collection[str]) -> FloatArray:
-    """(E,) metres from each element to the nearest of some, curves to a few centimetres.
-
-    Args:
-        field: any.
-        class_names: those without a geometry do not count; infinite where none has one.
-    """
+    """(E,) metres from each element to the nearest of some, curves to a few centimetres; classes
+    without a geometry do not count, infinite where none has one."""
     # Landmarks come and go while a person annotates: what is known of the field itself stays.
     landmarks = {landmark.name for landmark in field.landmarks}
     placed = np.array([e.name in landmarks for e in field.elements])
@@ -323,14 +314,8 @@ _PARALLEL = 1e-6
 
 @lru_cache(maxsize=16)
 def distinctive_points(elements: tuple[Element, ...]) -> tuple[tuple[str, ...], FloatArray]:
-    """Ends, corners of chains, spots, and where elements on the ground cross.
-
-    Args:
-        elements: of a field.
-
-    Returns:
-        The class that each is on, of those that share it the first; and (n, 3) metres.
-    """
+    """Ends, corners of chains, spots, and where elements on the ground cross: the class that each
+    is on, of those that share it the first; and (n, 3) metres."""
     names: list[str] = []
     places: list[FloatArray] = []
     for element in elements:

@@ -75,12 +75,8 @@ class FieldWarning:
 def validate_field(
     field: Field, taken_keys: Mapping[str, str] | None = None
 ) -> tuple[FieldWarning, ...]:
-    """Look for what most likely is a mistake, the gravest first.
-
-    Args:
-        field: as it was loaded, with nominal dimensions.
-        taken_keys: keys of the window -> what they do there.
-    """
+    """Look for what most likely is a mistake in a field with nominal dimensions, the gravest first.
+    ``taken_keys``: keys of the window -> what they do there."""
     found = [
         *_dimension_warnings(field),
         *_size_warnings(field),

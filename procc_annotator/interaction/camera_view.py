@@ -112,16 +112,8 @@ class VisibleField:
 
 
 def visible_field(field: Field, camera: Camera, size: tuple[int, int]) -> VisibleField | None:
-    """Return what a camera sees of a field; None if it sees nothing of it.
-
-    Args:
-        field: with elements on the ground.
-        camera: in px of the picture.
-        size: (width, height) of the picture, px.
-
-    Raises:
-        UsageError: the field has nothing on the ground.
-    """
+    """Return what a camera, in px of a picture of this (width, height), sees of a field; None if it
+    sees nothing of it. `UsageError` if the field has nothing on the ground."""
     stretches = visible_stretches(field, camera, size)
     names = {s.name for s in stretches} | set(visible_spots(field, camera, size))
     area = field_rectangle(field)
@@ -231,12 +223,8 @@ class Wireframe:
     px: FloatArray
 
     def at(self, position: tuple[float, float], reach_px: float) -> WireframePoint | None:
-        """The distinct place that is nearest, if one is within reach, else the nearest of a line.
-
-        Args:
-            position: px of the picture.
-            reach_px: px of the picture.
-        """
+        """The distinct place that is nearest, if one is within reach, else the nearest of a line;
+        px of the picture."""
         if len(self.px):
             away = np.hypot(*(self.px - position).T)
             best = int(away.argmin())
@@ -267,13 +255,7 @@ class Wireframe:
 
 
 def wireframe_of(camera: PinholeCamera, field: Field, size: tuple[int, int]) -> Wireframe:
-    """Return what a camera shows of a field in its picture.
-
-    Args:
-        camera: px of the picture.
-        field: the elements.
-        size: (width, height) px.
-    """
+    """Return what a camera shows of a field in its picture, (width, height) px."""
     names, places = distinctive_points(field.elements)
     px, inside = NO_POINTS, np.zeros(len(places), dtype=bool)
     if len(places):
@@ -291,10 +273,7 @@ def wireframe_of(camera: PinholeCamera, field: Field, size: tuple[int, int]) -> 
 
 def segments_in_sight(camera: PinholeCamera, field: Field, size: tuple[int, int]) -> FloatArray:
     """(N, 4) px: what of a field's lines is at least partly in the picture; cheap enough for every
-    move of a mouse.
-
-    Args: as for `wireframe_of`.
-    """
+    move of a mouse."""
     world, follows = _chords(field.elements)
     px, shown = camera.project(world)
     inside = shown & ((px >= 0) & (px <= np.array(size) - 1.0)).all(axis=1)

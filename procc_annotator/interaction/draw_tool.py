@@ -222,14 +222,7 @@ def draft_with_cursor(
     draw: DrawTool, context: ToolContext, cursor: Position | None, held: Modifiers
 ) -> Draft | None:
     """The polyline under way, with its line to the cursor and what is reported there; before the
-    first click what that begins; None where it would begin nothing.
-
-    Args:
-        draw: the tool.
-        context: what the next click would work on.
-        cursor: where it would be.
-        held: keys.
-    """
+    first click what that begins; None where it would begin nothing."""
     name = draw.class_name if draw.busy else context.clicked_class
     if name is None or cursor is None:
         return draw.draft(context.clicked_class, cursor)

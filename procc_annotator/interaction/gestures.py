@@ -50,7 +50,6 @@ def hit_test(
     """The nearest point within the pick radius, else the nearest segment within it.
 
     Args:
-        annotation: what can be hit.
         picture_size: (width, height) px.
         position: cursor, picture px.
         view_scale: screen px per picture px; the radius does not shrink or grow with zoom.

@@ -10,16 +10,9 @@ _STEPS = 8  # heights of a text that it may be moved up or down
 
 
 def place_apart(box: Box, taken: Sequence[Box], room: Box) -> Box:
-    """The place nearest to where a text would go that no other text covers, and that is in sight.
-
-    Args:
-        box: where it would go: left, top, right, bottom.
-        taken: texts that are there.
-        room: what can be seen.
-
-    Returns:
-        A place of the same size; ``box`` itself where there is no better one.
-    """
+    """The place nearest to where a text would go (left, top, right, bottom) that no text taken
+    covers, and that is in sight in the room there is; ``box`` itself where there is no better
+    one."""
     return next((b for b in _around(box) if _within(b, room) and not _covers(b, taken)), box)
 
 

@@ -53,8 +53,6 @@ def legend_of(
     """Return what is to be explained of a frame: only what is on the picture.
 
     Args:
-        annotation: what is drawn.
-        field: titles and colours.
         measurement, score: of this annotation against a camera; without them elements have the
             colours of their classes.
         size: px of the evaluation, which distances are in.

@@ -175,16 +175,13 @@ def draft_colour(draft: Draft, field: Field) -> str:
 def paint_strokes(
     paint: ProjectedField | None, score: FrameScore | None, size: Size, picture_size: Size
 ) -> Iterable[Strokes]:
-    """The borders of the paint, in the tone of what the criterion says of their element.
+    """The borders of the paint, in the tone of what the criterion says of their element; always as
+    many strokes, some of them empty.
 
     Args:
-        paint: where the camera shows them; None: they are not to be drawn.
+        paint: where the camera shows them, px of the evaluation's ``size``; None: not to be drawn.
         score: of the frame against that camera.
-        size: (width, height) of the evaluation; the px of ``paint`` belong to it.
         picture_size: (width, height) of the picture painted on.
-
-    Yields:
-        Always as many strokes, some of them empty.
     """
     status = {e.name: e.status for e in score.elements} if score is not None else {}
     found: dict[str, list[FloatArray]] = {}
@@ -203,8 +200,8 @@ def build_wireframes(
     """Draw what several sources show of the field.
 
     Args:
-        shown: projected field and colour of each source, the last one on top.
-        size: (width, height) of the evaluation; the projections' px belong to it.
+        shown: projected field, px of the evaluation's ``size``, and colour of each source, the last
+            one on top.
         picture_size: (width, height) of the picture painted on.
 
     Returns:
@@ -233,11 +230,7 @@ _OFFSET_PX = 7.0  # at 960 px width
 
 
 def evidence_strips(seen: Iterable[LineEvidence]) -> tuple[Strokes, ...]:
-    """The strips of some elements, the same groups whatever was seen.
-
-    Args:
-        seen: along elements of one picture.
-    """
+    """The strips of some elements of one picture, the same groups whatever was seen."""
     strips = [_strip(one) for one in seen]
     found: list[Strokes] = []
     for states, colour, dash in (

@@ -150,14 +150,8 @@ def build_ghosts(
 def with_next(
     overlay: Overlay, at: tuple[float, float], label: str, size: tuple[int, int]
 ) -> Overlay:
-    """The same with a ring where the element to draw next is expected, as on the field map.
-
-    Args:
-        overlay: of the ghosts.
-        at: picture px.
-        label: said next to it.
-        size: (width, height) px of the picture.
-    """
+    """The same with a ring where the element to draw next is expected, picture px, as on the field
+    map, and a label next to it."""
     centre = np.clip(np.array([at]), 0.0, np.array(size) - 1.0)
     rim = PointMarks(centre, "ring", tones.GHOST_OUTLINE, tones.NEXT_SIZE + 3.0)
     ring = PointMarks(centre, "ring", tones.GHOST, tones.NEXT_SIZE)

@@ -134,12 +134,8 @@ NO_SCORED_FRAME = ScoredFrame(
 
 @lru_cache(maxsize=4)  # two sides of a split view, and what they showed before
 def scored_frame(measurement: Measurement, score: FrameScore, picture_size: Size) -> ScoredFrame:
-    """Turn a score of a measurement into what is painted.
-
-    Args:
-        measurement, score: of the same annotation and camera.
-        picture_size: (width, height) px of the picture painted on.
-    """
+    """Turn a score of a measurement into what is painted on a picture of this (width, height),
+    px."""
     elements = score.elements
     shown_as = {e.annotated_name: e.name for e in elements}
     status = {e.annotated_name: e.status for e in elements if e.status != "not_annotated"}

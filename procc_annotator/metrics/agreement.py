@@ -23,18 +23,13 @@ _OVERLAP_SAMPLES = 100
 def curve_overlap(
     a: ClickedCurve, clicks_a: FloatArray, b: ClickedCurve, clicks_b: FloatArray
 ) -> float:
-    """Share of the shorter course's length that runs along the longer one.
+    """Share of the shorter course's length that runs along the longer one: 0 (at most a place in
+    common) to 1 (the shorter lies all along the longer). Neither is a single place; clicks are
+    (n, 2) and (m, 2) px.
 
     A part runs along as far as its feet on the other advance: a line across another one, or away
     from its end, hardly does, however near it is. Only what is between clicks counts, not the
     reach beyond them.
-
-    Args:
-        a, b: the courses, neither of them a single place.
-        clicks_a, clicks_b: (n, 2), (m, 2) px, the clicks they go through.
-
-    Returns:
-        0 (at most a place in common) to 1 (the shorter lies all along the longer).
     """
     (own, first, last), (other, low, high) = sorted(
         ((a, *clicked_extent(a, clicks_a)), (b, *clicked_extent(b, clicks_b))),

@@ -83,16 +83,9 @@ class ClickedCurve:
         return 1 if self.coarse else 2
 
     def distances(self, points_px: FloatArray) -> FloatArray:
-        """Distance of each point to the course.
-
-        Args:
-            points_px: (n, 2) px.
-
-        Returns:
-            (n,) px; NaN for a point beyond an end: the nearest position on the course is the end
-            itself, or the point lies in the gap of an ellipse. Of a course that is a point, the
-            distances to it.
-        """
+        """Distance (n,), px, of each point (n, 2), px, to the course; NaN for a point beyond an
+        end: the nearest position on the course is the end itself, or the point lies in the gap of
+        an ellipse. Of a course that is a point, the distances to it."""
         if self.is_point:
             off = points_px - self.vertices[0]
             return np.asarray(np.hypot(off[:, 0], off[:, 1]), dtype=np.float64)
@@ -121,12 +114,8 @@ class ClickedCurve:
 
 
 def clicked_curve(points_px: FloatArray, element: Element) -> ClickedCurve:
-    """The course of an element through the points clicked on it.
-
-    Args:
-        points_px: (n, 2) px, at least one, in clicked order; only a spline needs that order.
-        element: says whether the course is straight, an arc, a circle, a chain or a spot.
-    """
+    """The course of an element through the points (n, 2), px, at least one, clicked on it in this
+    order, which only a spline needs."""
     shape = element.geometry
     if isinstance(shape, Spot):
         return ClickedCurve(points_px.mean(axis=0, keepdims=True))
@@ -214,14 +203,8 @@ class Ellipse:
 
     @classmethod
     def fit(cls, points: FloatArray) -> Self | None:
-        """The ellipse nearest to the points in the algebraic sense (Halir and Flusser 1998).
-
-        Args:
-            points: (n, 2) px, n >= 5.
-
-        Returns:
-            None where the points determine none: they lie on a line, or as good as that.
-        """
+        """The ellipse nearest to points (n, 2), n >= 5, px, in the algebraic sense (Halir and
+        Flusser 1998); None where they determine none: they lie on a line, or as good as that."""
         middle = points.mean(axis=0)
         scale = np.abs(points - middle).max()
         if not scale:

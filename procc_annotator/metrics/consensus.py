@@ -58,7 +58,7 @@ def build_consensus(
 
     Args:
         annotations: at least two; one without any element counts as a voice against all.
-        field: knows the elements; classes without geometry do not count.
+        field: classes without geometry do not count.
         size: (width, height) px of the picture in which they are compared.
     """
     several = [annotated_curves(one, field, size) for one in annotations]

@@ -138,8 +138,6 @@ def project_curves(
     """Project every element as polylines that follow it to 0.0025 px.
 
     Args:
-        camera: any model.
-        field: the sports field.
         curves: ``ElementCurves.of(field)``.
         size: (width, height) px; elements are clipped to [0, width - 1] x [0, height - 1].
         only: (E,) the elements wanted, if not all.
@@ -184,13 +182,9 @@ def _chords_between(
     last: IntArray,
     project: _Projector,
 ) -> Chords:
-    """Chords between consecutive samples; from a seen to an unseen sample, up to the last seen
-    point.
-
-    Args:
-        rows: (N,) part. t: (N,) ascending parameters. px: (N, 2). seen: (N,).
-        last: samples from which no chord leads to the next one.
-    """
+    """Chords between consecutive samples, N parts with ascending parameters and px (N, 2); from a
+    seen to an unseen sample, up to the last seen point. ``last``: samples from which no chord
+    leads to the next one."""
     joined = seen[1:] | seen[:-1]
     joined[last[:-1]] = False
     left = np.flatnonzero(joined)

@@ -37,12 +37,8 @@ class MapSummary:
 
 
 def map_summary(values: FloatArray, areas: FloatArray) -> MapSummary:
-    """The spread of a map.
-
-    Args:
-        values: any shape; NaN does not count.
-        areas: of the same shape, above 0: what each value stands for.
-    """
+    """The spread of a map of any shape, whose values stand for areas above 0; NaN does not
+    count."""
     counts = ~np.isnan(values)
     found, weights = values[counts], areas[counts]
     if not len(found):
@@ -56,15 +52,8 @@ def map_summary(values: FloatArray, areas: FloatArray) -> MapSummary:
 
 
 def area_share_within(values: FloatArray, areas: FloatArray, limit: float) -> float | None:
-    """The share of the area that counts with values up to a limit, in [0, 1].
-
-    Args:
-        values, areas: as for `spread`.
-        limit: in the unit of the values.
-
-    Returns:
-        None where nothing counts.
-    """
+    """The share of the area that counts with values up to a limit, in [0, 1]; None where nothing
+    counts. See `map_summary`."""
     counts = ~np.isnan(values)
     area = float(areas[counts].sum())
     if not area:
@@ -75,12 +64,11 @@ def area_share_within(values: FloatArray, areas: FloatArray, limit: float) -> fl
 def bilinear_value(
     values: FloatArray, xs: FloatArray, ys: FloatArray, x: float, y: float
 ) -> float | None:
-    """A value between four samples, in proportion to its distances from them.
+    """A value at x, y between four samples, in proportion to its distances from them.
 
     Args:
         values: (h, w); NaN if absent.
         xs, ys: (w,), (h,) places of the samples, ascending, at least two each.
-        x, y: the place asked for.
 
     Returns:
         None off the grid, and where a sample that counts has no value.
@@ -153,18 +141,8 @@ def filled_contours(
 def contour_lines(
     values: FloatArray, x: FloatArray, y: FloatArray, level: float
 ) -> tuple[FloatArray, ...]:
-    """Return where the map has a value.
-
-    Args:
-        values, x, y: as for `filled_contours`.
-        level: the value.
-
-    Returns:
-        Lines, each (n, 2); closed ones repeat their first point at the end.
-
-    Raises:
-        ValueError: arrays whose shapes do not fit.
-    """
+    """Return where the map has a value: lines (n, 2), closed ones repeat their first point at the
+    end. For the arrays and errors see `filled_contours`."""
     generator = _contour_generator(values, x, y)
     if generator is None:
         return ()

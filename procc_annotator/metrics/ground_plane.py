@@ -54,9 +54,7 @@ def field_rectangle(field: Field) -> GroundRectangle:
 
     A field without these dimensions has the smallest rectangle along the axes that holds every
     element on the ground; optional ones, which may be anywhere, count where there are no others.
-
-    Raises:
-        UsageError: the field has neither the dimensions nor anything on the ground.
+    `UsageError` if there is nothing on the ground either.
     """
     length, width = field.dimension("length"), field.dimension("width")
     if length is not None and width is not None:
@@ -74,11 +72,7 @@ def field_rectangle(field: Field) -> GroundRectangle:
 
 
 def require_camera_model(camera: CameraOrProjections) -> Camera:
-    """The camera itself; a source that has none, only shown elements, is refused.
-
-    Raises:
-        UsageError: the source shares only projections.
-    """
+    """The camera itself; a source that shares only projections is refused by `UsageError`."""
     if isinstance(camera, ElementProjections):
         raise UsageError(
             "one of the sources shares only projections, there is no ground to compare;"
@@ -88,18 +82,8 @@ def require_camera_model(camera: CameraOrProjections) -> Camera:
 
 
 def ground_points_seen(camera: CameraOrProjections, points_px: FloatArray) -> FloatArray:
-    """The ground points (z = 0) that pixels show.
-
-    Args:
-        camera: any model.
-        points_px: (N, 2) px.
-
-    Returns:
-        (N, 2) metres, NaN where a pixel shows no ground.
-
-    Raises:
-        UsageError: a source that shares only projections.
-    """
+    """The ground points (z = 0), (N, 2) metres, that pixels (N, 2) show; NaN where one shows no
+    ground. `UsageError` for a source that shares only projections."""
     return ground_from_px(require_camera_model(camera), points_px)
 
 
@@ -112,15 +96,8 @@ def polygon_area(polygon: FloatArray) -> float:
 
 
 def clip_by_half_planes(polygon: FloatArray, half_planes: Iterable[FloatArray]) -> FloatArray:
-    """The part of a convex polygon where all ``a x + b y + c >= 0`` (Sutherland and Hodgman 1974).
-
-    Args:
-        polygon: (n, 2).
-        half_planes: (a, b, c) each.
-
-    Returns:
-        (m, 2); (0, 2) if nothing is left.
-    """
+    """The part (m, 2) of a convex polygon (n, 2) where ``a x + b y + c >= 0`` for all half planes
+    (a, b, c) (Sutherland and Hodgman 1974); (0, 2) if nothing is left."""
     for half_plane in half_planes:
         if not len(polygon):
             break
@@ -186,16 +163,11 @@ class GroundHomography:
 def ground_homography_of(
     camera: Camera, rectangle: GroundRectangle, size: tuple[int, int]
 ) -> GroundHomography | None:
-    """Reduce a camera to a homography of the ground.
+    """Reduce a camera of any model, in px of ``size``, to a homography of the ground.
 
     A homography and a pinhole without distortion are one. Any other model is replaced by the
     homography that fits it best (least squares of pixels) over what the picture shows of the
-    field: beyond the picture a distortion means nothing.
-
-    Args:
-        camera: any model, in px of ``size``.
-        rectangle: the field.
-        size: (width, height) px.
+    field's rectangle: beyond the picture a distortion means nothing.
 
     Returns:
         None where the picture shows too little of the field to fit one, and for a pinhole in the
@@ -238,11 +210,7 @@ def _fit_homography(
 
 def region_of(region: str | Sequence[float], field: Field) -> GroundRectangle:
     """The rectangle of ``field`` (its field of play) or of X0, Y0, X1, Y1 (metres), as text or
-    numbers.
-
-    Raises:
-        UsageError: it is neither.
-    """
+    numbers; `UsageError` if it is neither."""
     if region == "field":
         return field_rectangle(field)
     try:

@@ -98,13 +98,11 @@ def legacy_averages(frames: Iterable[LegacyMetrics]) -> dict[str, MetricAverage]
 def legacy_metrics(
     camera: Camera, reference: Camera, field: Field, size: tuple[int, int]
 ) -> LegacyMetrics:
-    """Compare a camera to a reference as earlier papers do.
+    """Compare a camera of any model to a reference, taken as true, as earlier papers do.
 
     Args:
-        camera: any model, in px of ``size``.
-        reference: what is taken as true, any model, in px of ``size``.
-        field: the sports field; its rectangle is the template of the papers.
-        size: (width, height) px; the picture is [0, width - 1] x [0, height - 1].
+        field: its rectangle is the template of the papers.
+        size: (width, height) px of both cameras; the picture is [0, width - 1] x [0, height - 1].
 
     Raises:
         UsageError: a source that shares only projections, or a field without ground.

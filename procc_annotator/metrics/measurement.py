@@ -114,13 +114,7 @@ class Measurement:
 def measure(
     annotation: FrameAnnotation, camera: CameraOrProjections, setup: EvaluationSetup
 ) -> Measurement:
-    """Measure an annotation against a camera.
-
-    Args:
-        annotation: normalised points.
-        camera: in px of ``setup.size``.
-        setup: field, size, protocol.
-    """
+    """Measure an annotation against a camera in px of ``setup.size``."""
     return measure_frames([annotation], [camera], setup)[0]
 
 
@@ -167,11 +161,10 @@ def _build_measurements(
 
 @lru_cache(maxsize=4)  # what is drawn of a frame is kept of it, too
 def nearest_points(measurement: Measurement, labelling: Labelling) -> tuple[FloatArray | None, ...]:
-    """The nearest projected position of every annotated point, for whiskers.
+    """The nearest projected position of every annotated point, for error vectors.
 
     Args:
-        measurement: what `measure` returned.
-        labelling: its ``plain`` or one of its ``mirrored`` labellings.
+        labelling: ``plain`` of the measurement or one of its ``mirrored`` labellings.
 
     Returns:
         (C,) per class (n, 2) px of the evaluation size in the order of its points, or None where

@@ -130,16 +130,9 @@ def _inside_image(
 def _border_points(
     previous: FloatArray, current: FloatArray, size: tuple[int, int]
 ) -> tuple[FloatArray, BoolArray]:
-    """Return where the infinite line through two samples meets the border, nearest to the second.
-
-    Args:
-        previous: (K, 2) px.
-        current: (K, 2) px.
-        size: (width, height) px; the border is x = 0, x = width - 1, y = 0, y = height - 1.
-
-    Returns:
-        (K, 2) px, the coordinate on the border exact, and (K,) whether there is such a point.
-    """
+    """Return where the infinite line through two samples (K, 2), px, meets the border x = 0,
+    x = width - 1, y = 0, y = height - 1, nearest to the second: (K, 2) px, the coordinate on the
+    border exact, and (K,) whether there is such a point."""
     sides = np.array([[0.0, size[0] - 1.0], [0.0, size[1] - 1.0]])
     along = current - previous
     # From the sample inside on: one almost in the camera's plane is so far off that its last digit
@@ -178,12 +171,7 @@ def folds_into_image(
 ) -> bool:
     """Return whether the official evaluation would show field points in the picture that a lens
     folds back into it: they lie beyond `PinholeCamera.fold_radius`, and no lens shows them there.
-
-    Args:
-        camera: in px of ``size``; only pinholes fold.
-        tables: the field, whose official samples are examined.
-        size: (width, height) px.
-    """
+    Only pinholes fold."""
     if not isinstance(camera, PinholeCamera) or camera.fold_radius == np.inf:
         return False
     points_px, in_front = camera.project_float32(tables.points_world)

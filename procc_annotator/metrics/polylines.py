@@ -63,11 +63,8 @@ class Polylines:
 
     @classmethod
     def joined(cls, frames: Sequence[Polylines]) -> Polylines:
-        """Several frames as one: the elements of each follow those of the one before.
-
-        Args:
-            frames: at least one, all of the same field and protocol.
-        """
+        """Several frames, of the same field and protocol, as one: the elements of each follow those
+        of the one before."""
         if len(frames) == 1:
             return frames[0]
         before = [frame.element_count * i for i, frame in enumerate(frames)]
@@ -155,11 +152,8 @@ class Segments:
         return nearest
 
     def feet(self, points_px: FloatArray, elements: IntArray) -> FloatArray:
-        """The nearest projected position of each point; arguments as for `distances`.
-
-        Returns:
-            (n, 2) px; segments without a distance are passed over (NaN if there is no other).
-        """
+        """The nearest projected position (n, 2), px, of each point; arguments as for `distances`.
+        Segments without a distance are passed over (NaN if there is no other)."""
         if not len(points_px):
             return np.empty((0, 2))
         off_x, off_y, first, counts = self._offsets(points_px, elements)
@@ -173,12 +167,9 @@ class Segments:
     def _offsets(
         self, points_px: FloatArray, elements: IntArray
     ) -> tuple[FloatArray, FloatArray, IntArray, IntArray]:
-        """For every pair (point, segment of its element) the point minus its foot.
-
-        Returns:
-            x and y offsets of all pairs, the first pair of each point, and pairs a point. This is
-            where scoring spends its time, hence the arithmetic in place.
-        """
+        """For every pair (point, segment of its element) the point minus its foot: x and y offsets
+        of all pairs, the first pair of each point, and pairs a point. This is where scoring spends
+        its time, hence the arithmetic in place."""
         counts = self.counts[elements]
         first = np.cumsum(counts) - counts
         which = np.arange(first[-1] + counts[-1])
@@ -210,23 +201,15 @@ def points_at_arc_lengths(
     course: FloatArray, at: FloatArray, lengths: FloatArray | None = None
 ) -> FloatArray:
     """(m, 2) the places at some lengths (m,) along a course (n, 2); at its ends beyond them.
-
-    Args:
-        course, at: in the same units.
-        lengths: of `arc_lengths`, where they are known.
-    """
+    ``lengths``: `arc_lengths` of the course, where they are known."""
     known = arc_lengths(course) if lengths is None else lengths
     return np.column_stack([np.interp(at, known, course[:, k]) for k in (0, 1)])
 
 
 def polyline_normals(course: FloatArray, reach: int = 1) -> FloatArray:
-    """(n, 2) unit vectors across a course of (n, 2) px, n >= 2.
-
-    Args:
-        course: px.
-        reach: the direction is that from so many points before to so many behind; more than one
-            where the corners of a polyline are not to show.
-    """
+    """(n, 2) unit vectors across a course (n, 2), px, n >= 2. The direction is that from
+    ``reach`` points before to as many behind; more than one where the corners of a polyline are
+    not to show."""
     rows = np.arange(len(course))
     along = course[np.minimum(rows + reach, len(rows) - 1)] - course[np.maximum(rows - reach, 0)]
     length = np.hypot(along[:, 0], along[:, 1])[:, None]
@@ -282,8 +265,6 @@ def clip_chords(
     Args:
         chords: in any order; neighbours of one curve share an end's parameter exactly.
         element: element of each row of the chords, ascending.
-        element_count: number of elements of the field.
-        size: (width, height) px.
 
     Returns:
         Separate pieces, never joined across a gap; a chord that only touches the border is not in

@@ -30,15 +30,11 @@ from procc_annotator.metrics.setup import EvaluationSetup
 def clip_given_official(
     projections: ElementProjections, field: Field, size: tuple[int, int]
 ) -> Polylines:
-    """The official walk along the vertices as if they were a camera's projected samples.
+    """The official walk along the vertices, px of ``size``, as if they were a camera's projected
+    samples; classes that the field does not have are passed over.
 
     Border points are added where a piece leaves the picture. Separate pieces stay separate: only
     a source that gives one list for an element asks for its gaps to be bridged.
-
-    Args:
-        projections: px of ``size``.
-        field: classes that it does not have are passed over.
-        size: (width, height) px.
     """
     px, row, piece = _flat_vertices(projections, field)
     whole = visible_polylines(
@@ -59,10 +55,7 @@ def clip_given_exact(
     projections: ElementProjections, field: Field, size: tuple[int, int]
 ) -> ClippedPolylines:
     """The pieces, and their parts inside the picture; a single vertex has none, unless it is a
-    spot.
-
-    Args: as `clip_given_official`.
-    """
+    spot. Arguments as of `clip_given_official`."""
     px, row, piece = _flat_vertices(projections, field)
     first = np.flatnonzero(piece[1:] == piece[:-1])
     is_spot = np.array([e.is_spot for e in field.elements], dtype=bool)
@@ -136,10 +129,8 @@ class ProjectedField:
 def project_field(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField:
     """Project the field to the evaluation size by the setup's protocol.
 
-    Args:
-        camera: parameters in px of ``setup.size``; or, for sources that share no camera, their
-            projected polylines, clipped to the picture as the protocol clips a camera's.
-        setup: field, size and protocol.
+    The camera is in px of ``setup.size``; sources that share no camera have their projected
+    polylines clipped to the picture as the protocol clips a camera's.
     """
     return project_fields([camera], setup)[0][0]
 
@@ -147,12 +138,8 @@ def project_field(camera: CameraOrProjections, setup: EvaluationSetup) -> Projec
 def project_fields(
     cameras: Sequence[CameraOrProjections], setup: EvaluationSetup
 ) -> tuple[list[ProjectedField], Polylines]:
-    """The same for several frames at once, which is faster.
-
-    Returns:
-        What each of them shows, and what distances are taken to in all of them as
-        `Polylines.joined` has it.
-    """
+    """The same for several frames at once, which is faster: what each of them shows, and what
+    distances are taken to in all of them as `Polylines.joined` has it."""
     shown, measured = _project_all(cameras, setup)
     if setup.planar_only:
         planar = np.tile(setup.tables.on_ground, len(cameras))
@@ -222,12 +209,8 @@ def _projected_field(
 def project_unclipped(
     camera: CameraOrProjections, setup: EvaluationSetup, only: BoolArray
 ) -> Polylines:
-    """Elements as they go on beyond the picture, whatever the protocol measures distances to.
-
-    Args:
-        camera, setup: as in `project_field`.
-        only: (E,) the elements wanted; of those that have no part in the picture nothing is found.
-    """
+    """Elements as they go on beyond the picture, whatever the protocol measures distances to: of
+    those wanted, ``only`` (E,), the ones that have a part in the picture. See `project_field`."""
     if isinstance(camera, ElementProjections):
         return clip_given_exact(camera, setup.field, setup.size).unclipped.of_elements(only)
     return project_curves(camera, setup.field, setup.curves, setup.size, only=only).unclipped
@@ -258,10 +241,6 @@ def complete_projections(
     Under ``procc`` curves are chords that stay within 0.0025 px of them, of the elements that have
     a part in the picture, as far as the camera has a projection but no farther from the picture
     than its width and height together.
-
-    Args:
-        camera: in px of ``setup.size``.
-        setup: field and size. frame: its name.
 
     Raises:
         UsageError: these are pieces only, without the official samples.
@@ -310,15 +289,11 @@ def projections_error(camera: CameraOrProjections, setup: EvaluationSetup) -> st
 
 
 def project_markings(camera: CameraOrProjections, setup: EvaluationSetup) -> ProjectedField | None:
-    """The borders of all painted bands in the picture, as true curves whatever the protocol.
+    """The borders of all painted bands in the picture, as true curves whatever the protocol:
+    elements of `field.markings.paint_of`. The size of the setup is the picture's.
 
-    Args:
-        camera: parameters in px of ``setup.size``.
-        setup: its field has paint, its size is the picture's.
-
-    Returns:
-        Elements of `field.markings.paint_of`; None where nothing is painted, or where all that is
-        known of a camera is where it shows the elements themselves.
+    None where nothing is painted, or where all that is known of a camera is where it shows the
+    elements themselves.
     """
     if isinstance(camera, ElementProjections):
         return None

@@ -115,15 +115,11 @@ class FrameScore:
 
 
 def score(measurement: Measurement, threshold: float) -> FrameScore:
-    """Score a measured frame.
+    """Score a measured frame at a threshold, px, compared strictly (distance < threshold).
 
     An annotated and projected class is correct if all its distances are below the threshold. With
     mirrored labels the best labelling counts; on a tie a mirrored one for ``soccernet`` (as the
     official code does), the unmirrored one for ``procc``; of several turns the first in the field.
-
-    Args:
-        measurement: what `measure` returned.
-        threshold: px, compared strictly (distance < threshold).
     """
     best = read = measurement.plain
     tp = int(best.worst.searchsorted(threshold))
@@ -142,10 +138,6 @@ def display_score(measurement: Measurement, threshold: float) -> FrameScore:
 
     On a tie the official evaluation takes the mirrored labels. Its JaC is the same, but every
     distance and verdict then belongs to the other half of the field, and says nothing.
-
-    Args:
-        measurement: what `measure` returned.
-        threshold: px, compared strictly.
     """
     counted = score(measurement, threshold)
     plain = measurement.plain
@@ -163,15 +155,8 @@ def _labelling_gain(tp: int, labelling: Labelling, other_tp: int, other: Labelli
 
 
 def jac_curve(measurement: Measurement, thresholds: ArrayLike) -> FloatArray:
-    """JaC at many thresholds; the same numbers as `score` gives one by one.
-
-    Args:
-        measurement: what `measure` returned.
-        thresholds: (T,) px, in any order.
-
-    Returns:
-        (T,) JaC in [0, 1].
-    """
+    """JaC in [0, 1], (T,), at many thresholds (T,), px, in any order; the same numbers as `score`
+    gives one by one."""
     taus = np.asarray(thresholds, dtype=np.float64)
     curve = _labelling_curve(measurement.plain, taus)
     for mirrored in measurement.mirrored:
@@ -253,13 +238,7 @@ class ScoreExplanation:
 def explain_score(
     score: FrameScore, measurement: Measurement, field: Field
 ) -> tuple[ScoreExplanation, ...]:
-    """Explain every element of a score, in its order.
-
-    Args:
-        score: of the measurement, at any threshold.
-        measurement: what was scored.
-        field: titles of the elements.
-    """
+    """Explain every element of a score, of this measurement at any threshold, in its order."""
     beyond = _farthest_outside_image(score, measurement)
     return tuple(
         ScoreExplanation(

@@ -170,11 +170,8 @@ class SetAccumulator:
         self._missing += 1
 
     def merge(self, other: SetAccumulator) -> None:
-        """Add everything another accumulator of the same setup gathered.
-
-        Raises:
-            UsageError: it gathered other thresholds or another protocol or size.
-        """
+        """Add everything another accumulator of the same setup gathered; `UsageError` if it
+        gathered other thresholds or another protocol or size."""
         if other.thresholds != self.thresholds or not _same_setup(other.setup, self.setup):
             raise UsageError("sets scored differently cannot be merged")
         self._missing += other._missing
@@ -314,18 +311,11 @@ _ZOOM_SCALE = 0.5 / np.log(2)
 def most_distinct_views(
     cameras: Sequence[PinholeCamera], widths_px: Sequence[int], count: int
 ) -> list[int]:
-    """The places of the views that differ most, by where cameras look and how far they zoom.
+    """The places, in the order they were chosen, of ``count`` views (all where there are fewer)
+    that differ most, by where cameras in px of their pictures look and how far they zoom.
 
     The first is the one nearest to the middle of all; each further one is the one farthest from
     those before, the earliest of equals.
-
-    Args:
-        cameras: in px of their pictures.
-        widths_px: of the pictures.
-        count: how many; all of them where there are fewer.
-
-    Returns:
-        Places in ``cameras``, in the order they were chosen.
     """
     if not cameras or count < 1:
         return []

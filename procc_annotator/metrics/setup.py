@@ -105,11 +105,7 @@ class EvaluationSetup:
         return ", ".join([*words, *self.options(ground_only)])
 
     def options(self, ground_only: bool = False) -> tuple[str, ...]:
-        """Return what was chosen besides protocol, size and field, in words.
-
-        Args:
-            ground_only: whether cameras that know only the ground were scored.
-        """
+        """Return what was chosen besides protocol, size and field, in words; see `describe`."""
         words = []
         if self.protocol == "procc" and self.considers_mirrored:
             words.append("mirrored labels allowed")
@@ -221,11 +217,8 @@ class FieldTables:
 
 
 def check_thresholds(thresholds: float | Sequence[float]) -> tuple[float, ...]:
-    """The thresholds, one or several, without repetitions, in the order given.
-
-    Raises:
-        UsageError: none given, or one that is not a positive number of pixels.
-    """
+    """The thresholds, one or several, without repetitions, in the order given; `UsageError` if
+    there is none, or one that is not a positive number of pixels."""
     thresholds = tuple(thresholds) if isinstance(thresholds, Iterable) else (thresholds,)
     for threshold in thresholds:
         number = isinstance(threshold, int | float | np.number) and type(threshold) is not bool

@@ -25,11 +25,8 @@ _PAGES = 1000  # 4 MB, copied in some milliseconds: so long a question waits
 
 @contextmanager
 def transaction(connection: sqlite3.Connection) -> Iterator[None]:
-    """Write everything inside as a whole or not at all, whatever ends it.
-
-    Raises:
-        sqlite3.Error: it cannot begin, or cannot be committed.
-    """
+    """Write everything inside as a whole or not at all, whatever ends it. `sqlite3.Error` if it
+    cannot begin, or cannot be committed."""
     connection.execute("BEGIN IMMEDIATE")
     with ExitStack() as failed:
         failed.callback(_roll_back, connection)
@@ -44,11 +41,7 @@ def _roll_back(connection: sqlite3.Connection) -> None:
 
 
 def write_all(connection: sqlite3.Connection, writes: Iterable[Write]) -> None:
-    """Run writes, all or none of them.
-
-    Raises:
-        sqlite3.Error: they cannot be written.
-    """
+    """Run writes, all or none of them. `sqlite3.Error` if they cannot be written."""
     with transaction(connection):
         for write in writes:
             connection.executemany(write.sql, write.rows)
@@ -58,9 +51,7 @@ def copy_readable(source: sqlite3.Connection, target: sqlite3.Connection) -> Non
     """Copy into a database every row that can be read of another, perhaps damaged one.
 
     Rows of the source replace those of the target with the same key; impossible rows are left out.
-
-    Raises:
-        sqlite3.Error: the target cannot be written; then nothing is.
+    `sqlite3.Error` if the target cannot be written; then nothing is.
     """
     tables = "SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE 'sqlite_%'"
     with transaction(target):
@@ -84,11 +75,7 @@ def copy_readable(source: sqlite3.Connection, target: sqlite3.Connection) -> Non
 
 
 def copy_readable_file(path: Path, target: sqlite3.Connection) -> None:
-    """The same from a file.
-
-    Raises:
-        sqlite3.Error: the target cannot be written; then nothing is.
-    """
+    """As `copy_readable`, from a file."""
     with closing(sqlite3.connect(path, timeout=1.0, isolation_level=None)) as source:
         copy_readable(source, target)
 
@@ -140,12 +127,10 @@ def is_backup_due(path: Path) -> bool:
 def write_backup(
     connection: sqlite3.Connection, path: Path, check: Callable[[], None] = lambda: None
 ) -> None:
-    """Copy a database to its backup, which is replaced only by a complete and sound copy.
+    """Copy a database to the backup of its path, which is replaced only by a complete and sound
+    copy.
 
-    Args:
-        connection: to the database.
-        path: of the database.
-        check: called every few milliseconds; what it raises ends the copying.
+    ``check`` is called every few milliseconds; what it raises ends the copying.
 
     Raises:
         sqlite3.Error, OSError: the copy cannot be written.

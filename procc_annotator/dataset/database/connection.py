@@ -119,10 +119,7 @@ def require_folder(path: Path) -> None:
 
 def connect(path: Path | None) -> sqlite3.Connection:
     """A connection to a file, or to memory; no write-ahead log, which network folders cannot do.
-
-    Raises:
-        sqlite3.Error: the file cannot be opened or is no database.
-    """
+    `sqlite3.Error` if the file cannot be opened or is no database."""
     name = ":memory:" if path is None else path
     connection = sqlite3.connect(
         name, timeout=_BUSY_S, isolation_level=None, check_same_thread=False
@@ -216,11 +213,7 @@ def _restored(opened: OpenedDatabase, path: Path, asides: list[Path], lost: str)
 
 
 def reread(opened: OpenedDatabase) -> OpenedDatabase:
-    """The same after something was written into it.
-
-    Raises:
-        One of FAILURES.
-    """
+    """The same after something was written into it. One of FAILURES if it cannot be read."""
     version = data_version(opened.connection)
     return replace(opened, data_version=version, snapshot=load(opened.connection))
 
@@ -289,11 +282,7 @@ def _schema_version(connection: sqlite3.Connection) -> int:
 
 
 def data_version(connection: sqlite3.Connection) -> int:
-    """A number that changes when another connection has written.
-
-    Raises:
-        sqlite3.Error: the database cannot be read.
-    """
+    """A number that changes when another connection has written. `sqlite3.Error` if unreadable."""
     (version,) = connection.execute("PRAGMA data_version").fetchone()
     return int(version)
 
@@ -337,14 +326,11 @@ def free_sibling_name(path: Path, why: str) -> Path:
 
 
 def set_aside(path: Path, identity: Identity | None) -> Path | None:
-    """Put a damaged database out of the way, with its journal.
+    """Put a damaged database out of the way, with its journal. `OSError` if that is impossible.
 
     Returns:
         Where it is now; None when another file has taken the place of the one with this identity
         meanwhile.
-
-    Raises:
-        OSError: that is not possible.
     """
     if identity_of(path) != identity:
         return None

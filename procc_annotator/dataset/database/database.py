@@ -128,11 +128,8 @@ class WorkspaceDatabase(MetadataCache):
 
     def read_origins(self, frame: str, *, complete: bool = False) -> dict[PointKey, Origin]:
         """As `origins`, safe from any thread: read from the file each time, and nothing is kept.
-
-        Raises:
-            InputError: not all that is to be ``complete`` can be read, as once another dataset was
-                opened.
-        """
+        `InputError` if not all that is to be ``complete`` can be read, as once another dataset was
+        opened."""
         try:
             read = self._answer(self._ask_origins(frame))
         except UnavailableError as error:
@@ -187,11 +184,7 @@ class WorkspaceDatabase(MetadataCache):
         return (*new, *read)
 
     def version_data(self, version_id: str) -> bytes:
-        """The bytes of a version.
-
-        Raises:
-            InputError: unknown id, or it cannot be read.
-        """
+        """The bytes of a version. `InputError` if the id is unknown, or it cannot be read."""
         found = next((r[5:] for r in self._unwritten_versions() if r[0] == version_id), None)
         try:
             if found is None:
@@ -209,9 +202,8 @@ class WorkspaceDatabase(MetadataCache):
     def poll(self) -> frozenset[str]:
         """Take over what other processes wrote; call it every few seconds, it never waits.
 
-        Returns:
-            The frames with another record, comment, verdict, element not visible or draft, as
-            the look begun by the call before found them.
+        Return the frames with another record, comment, verdict, element not visible or draft, as
+        the look begun by the call before found them.
         """
         changed = self.collect()
         if self._looking is None:

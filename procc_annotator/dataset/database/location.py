@@ -135,11 +135,8 @@ def database_path(dataset: Path) -> Path:
 
 
 def user_fallback_path(dataset: Path) -> Path | None:
-    """Return where it is kept for a dataset that cannot be written: the user's data folder.
-
-    Returns:
-        None when the user has no home.
-    """
+    """Return where it is kept for a dataset that cannot be written: the user's data folder; None
+    when the user has no home."""
     base = data_folder()
     if base is None:
         return None
@@ -157,12 +154,10 @@ def fallback_path_of(dataset: Path) -> Path | None:
 
 
 def open_or_fallback(dataset: Path) -> tuple[Path | None, OpenedDatabase, tuple[str, ...]]:
-    """Open a dataset's database where it belongs, else the user's own, else one in memory.
+    """Open a dataset's database where it belongs, else the user's own, else one in memory (whose
+    file is None); also return what the user should know.
 
     What was kept in the user's data folder while the dataset was out of reach is taken over.
-
-    Returns:
-        Its file (None: memory only), the database, and what the user should know.
     """
     notices: list[str] = []
     path, folder = database_path(dataset), folder_of(dataset)
@@ -195,13 +190,8 @@ def open_or_fallback(dataset: Path) -> tuple[Path | None, OpenedDatabase, tuple[
 
 
 def read_settings(dataset: Path) -> tuple[dict[str, str], str]:
-    """The settings of a dataset, by key; nothing is made, written or fixed.
-
-    Args:
-        dataset: its folder (or a picture in it).
-
-    Returns:
-        The settings, and a notice if the database is lost; empty if all is well.
+    """The settings of a dataset (its folder, or a picture in it), by key, and a notice if the
+    database is lost; empty if all is well. Nothing is made, written or fixed.
 
     Raises:
         InputError: there is a workspace, but it cannot be read.
@@ -253,11 +243,8 @@ def _fallback_file(dataset: Path, known: Callable[[Fingerprint], bool]) -> Path 
     """The file in the user's data folder that was kept for this dataset, or a new one.
 
     Another dataset at the same path (drives are mounted where others were) has a file of its own,
-    which no one renames: a window may have it open.
-
-    Args:
-        dataset: decides the folder.
-        known: whether a file's mark is this dataset's.
+    which no one renames: a window may have it open. ``known`` says whether a file's mark is this
+    dataset's.
     """
     first = user_fallback_path(dataset)
     if first is None:
@@ -279,12 +266,8 @@ def _take_over(own: Path, opened: OpenedDatabase) -> tuple[OpenedDatabase, tuple
 
 
 def save_to_fallback(dataset: Path, writes: Iterable[Write], mark: Fingerprint) -> Path | None:
-    """Leave what could not be written for the next time the dataset is opened.
-
-    Args:
-        dataset: as it was opened; probably out of reach now.
-        writes: what could not be written.
-        mark: of the dataset, taken while it was there.
+    """Leave what could not be written for the next time the dataset is opened, which is probably
+    out of reach now; its mark was taken while it was there.
 
     Returns:
         The file it is in; None when that failed, too.

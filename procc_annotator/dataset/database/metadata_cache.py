@@ -137,12 +137,8 @@ class MetadataCache:
         *,
         place: str = "",
     ) -> Verdict | None:
-        """Set the party at fault for a frame's score under a camera source; None takes it back.
-
-        Args:
-            source: its name.
-            place: where it lies (`verdict.place_of`); empty when only the name is known.
-        """
+        """Set the party at fault for a frame's score under a camera source (its name); None takes
+        it back. Where it lies (`verdict.place_of`) is empty when only the name is known."""
         known_as = place_by_name(source)
         found = Verdict(
             frame,

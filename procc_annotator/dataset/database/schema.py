@@ -95,11 +95,7 @@ def stored(text: str) -> str | bytes:
 
 
 def as_text(value: Value) -> str:
-    """The way back from `stored`.
-
-    Raises:
-        DamagedError: it is no text.
-    """
+    """The way back from `stored`; `DamagedError` if it is no text."""
     if isinstance(value, str):
         return value
     if isinstance(value, bytes):
@@ -111,11 +107,7 @@ def as_text(value: Value) -> str:
 
 
 def as_number(value: Value) -> float:
-    """A finite number.
-
-    Raises:
-        DamagedError: it is something else.
-    """
+    """A finite number; `DamagedError` if it is something else."""
     if type(value) is float and math.isfinite(value):
         return value
     if type(value) is int:
@@ -124,11 +116,7 @@ def as_number(value: Value) -> float:
 
 
 def as_bytes(value: Value) -> bytes:
-    """Bytes.
-
-    Raises:
-        DamagedError: it is something else.
-    """
+    """Bytes; `DamagedError` if it is something else."""
     if isinstance(value, bytes):
         return value
     raise DamagedError("contents that are none")
@@ -160,11 +148,7 @@ _COLUMNS: dict[str, Callable[[Value], object]] = {
 
 
 def values_of(columns: Sequence[str], row: Row) -> tuple[Any, ...]:
-    """The values of a row, by the names of its columns.
-
-    Raises:
-        DamagedError: one is impossible.
-    """
+    """The values of a row, by the names of its columns; `DamagedError` if one is impossible."""
     read = zip(columns, row, strict=True)
     return tuple(_COLUMNS.get(column, as_text)(value) for column, value in read)
 
@@ -255,12 +239,7 @@ class Snapshot:
 
 
 def load(connection: sqlite3.Connection) -> Snapshot:
-    """Read everything that is kept in memory.
-
-    Raises:
-        sqlite3.Error: it cannot be read.
-        DamagedError: a row is impossible.
-    """
+    """Read everything that is kept in memory; raises as `read`."""
     known = Snapshot()
     for frame, status, committed in read(connection, "name, status, committed", "frame"):
         known.records[frame] = FrameRecord(status or Status.UNTOUCHED, committed)
@@ -311,42 +290,25 @@ def with_comments(record: FrameRecord, remarks: tuple[Comment, ...]) -> FrameRec
 
 
 def load_origins(connection: sqlite3.Connection, frame: str) -> dict[PointKey, Origin]:
-    """The origins of a frame's points.
-
-    Raises:
-        sqlite3.Error: they cannot be read.
-        DamagedError: a row is impossible.
-    """
+    """The origins of a frame's points; raises as `read`."""
     found = read(connection, "u, v, kind, author, time", "origin WHERE frame = ?", stored(frame))
     return {(u, v): Origin(*row) for u, v, *row in found}
 
 
 def load_versions(connection: sqlite3.Connection, frame: str) -> tuple[Version, ...]:
-    """The versions of a frame, newest first.
-
-    Raises:
-        sqlite3.Error: they cannot be read.
-        DamagedError: a row is impossible.
-    """
+    """The versions of a frame, newest first; raises as `read`."""
     of_frame = "version WHERE frame = ? ORDER BY seq DESC"
     return tuple(starmap(Version, read(connection, ", ".join(_VERSION), of_frame, stored(frame))))
 
 
 def version_of(row: Row) -> Version:
-    """A version from its first five columns (id, frame, author, time, reason).
-
-    Raises:
-        DamagedError: the row is impossible.
-    """
+    """A version from its first five columns (id, frame, author, time, reason); `DamagedError` if
+    the row is impossible."""
     return Version(*values_of(_VERSION, row[: len(_VERSION)]))
 
 
 def load_version_data(connection: sqlite3.Connection, id_: str) -> Row | None:
-    """Return what `version_data_of` takes, or None when there is no such version.
-
-    Raises:
-        sqlite3.Error: it cannot be read.
-    """
+    """Return what `version_data_of` takes, or None when there is no such version."""
     row: Row | None = connection.execute(
         "SELECT digest, data FROM version WHERE id = ?", (stored(id_),)
     ).fetchone()
@@ -354,11 +316,8 @@ def load_version_data(connection: sqlite3.Connection, id_: str) -> Row | None:
 
 
 def version_data_of(row: Row) -> bytes:
-    """A version's data from its digest and what was compressed.
-
-    Raises:
-        DamagedError: they do not belong together.
-    """
+    """A version's data from its digest and what was compressed; `DamagedError` if they do not
+    belong together."""
     digest, packed = row
     try:
         data = zlib.decompress(as_bytes(packed))

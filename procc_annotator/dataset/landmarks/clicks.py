@@ -86,11 +86,8 @@ class ClickGathering:
         self._names = {mark.name.strip(): mark.name for mark in self.known}
 
     def add(self, frame: str, annotation: FrameAnnotation) -> bool:
-        """Take the clicks of one frame: on classes that the field does not place itself.
-
-        Returns:
-            Whether there are any.
-        """
+        """Take the clicks of one frame, on classes that the field does not place itself; return
+        whether there are any."""
         any_click = False
         for polyline in annotation.polylines:
             name = self._names.get(polyline.class_name.strip(), polyline.class_name)
@@ -173,13 +170,8 @@ def with_positions(file: LandmarkFile, located: Iterable[LocatedLandmark]) -> La
 
 
 def why_kept(file: LandmarkFile, name: str, instant: str | None = None) -> str:
-    """Why no triangulated position may be written for a landmark; empty where one may.
-
-    Args:
-        file: as it is now: it may say more than when the triangulation began.
-        name: of the landmark.
-        instant: of the position; None for what stays.
-    """
+    """Why no triangulated position may be written for a landmark, of an instant if it moves; empty
+    where one may. The file is as it is now: it may say more than when the triangulation began."""
     if surveyed_entry(file.landmarks, name, instant) is not None:
         return translatable(
             "{title} was surveyed: its position stays as it is", title=title_in(file, name)

@@ -29,11 +29,8 @@ if TYPE_CHECKING:
 
 
 def with_new_landmark(file: LandmarkFile, name: str, field: Field) -> LandmarkFile:
-    """With a new landmark without a known position.
-
-    Raises:
-        UsageError: the name cannot be one, or is taken.
-    """
+    """With a new landmark without a known position. `UsageError` if the name cannot be one, or is
+    taken."""
     name = name.strip()
     require_free(name, field)
     if any(mark.name.strip() == name for mark in file.landmarks):
@@ -42,11 +39,7 @@ def with_new_landmark(file: LandmarkFile, name: str, field: Field) -> LandmarkFi
 
 
 def require_free(name: str, field: Field) -> None:
-    """Refuse a landmark with the name of a class of the field.
-
-    Raises:
-        UsageError: it is one.
-    """
+    """Refuse, by `UsageError`, a landmark with the name of a class of the field."""
     plain = without_landmarks(field)
     if plain.knows(plain.canonical_name(name)):
         raise UsageError(f"{name!r} is a class of the field: give the landmark another name")
@@ -54,10 +47,7 @@ def require_free(name: str, field: Field) -> None:
 
 def with_surveyed_position(file: LandmarkFile, name: str, position: Vector) -> LandmarkFile:
     """With the place of a landmark that a person measured; one that is not known yet is added.
-
-    Raises:
-        UsageError: it moves, or it cannot be a landmark's name or place.
-    """
+    `UsageError` if it moves, or it cannot be a landmark's name or place."""
     entries = _entries(file, name) or [Landmark(name)]
     own = _appearance_entry(entries)
     if any(map(is_moving, entries)):
@@ -70,11 +60,8 @@ def with_surveyed_position(file: LandmarkFile, name: str, position: Vector) -> L
 
 
 def with_title(file: LandmarkFile, name: str, title: str) -> LandmarkFile:
-    """With what people call a landmark; its class keeps its name.
-
-    Raises:
-        UsageError: it cannot be called so.
-    """
+    """With what people call a landmark; its class keeps its name. `UsageError` if it cannot be
+    called so."""
     entries = _entries(file, name)
     if not entries:
         raise UsageError(f"there is no landmark {name!r}")
@@ -86,11 +73,7 @@ def with_title(file: LandmarkFile, name: str, title: str) -> LandmarkFile:
 
 
 def parse_position(text: str) -> Vector:
-    """Read ``x, y, z``, metres.
-
-    Raises:
-        UsageError: it is something else.
-    """
+    """Read ``x, y, z``, metres; `UsageError` if it is something else."""
     try:
         x, y, z = (float(part) for part in text.replace(";", ",").split(","))
     except ValueError as error:
@@ -101,11 +84,7 @@ def parse_position(text: str) -> Vector:
 
 
 def parse_surveyed(text: str) -> tuple[str, Vector]:
-    """Read ``NAME=x,y,z``: a landmark and its place, metres.
-
-    Raises:
-        UsageError: it is something else.
-    """
+    """Read ``NAME=x,y,z``: a landmark and its place, metres; else `UsageError`."""
     name, _, place = text.rpartition("=")
     if not name.strip():
         raise UsageError(f"{text!r} names no landmark: expected NAME=X,Y,Z")
@@ -113,11 +92,7 @@ def parse_surveyed(text: str) -> tuple[str, Vector]:
 
 
 def checked_landmarks(file: LandmarkFile) -> LandmarkFile:
-    """The landmarks, if a file may hold them.
-
-    Raises:
-        UsageError: it may not.
-    """
+    """The landmarks, if a file may hold them; else `UsageError`."""
     try:
         return read_landmarks(encode_landmarks(file), path="landmarks")
     except InputError as error:
@@ -133,35 +108,20 @@ def _appearance_entry(entries: Sequence[Landmark]) -> Landmark:
 
 
 def read_dataset_landmarks(dataset: Path) -> tuple[LandmarkFile, ViewGroups]:
-    """Return what the files of a dataset say; nothing where there are none.
-
-    Args:
-        dataset: see `folder_of_dataset`.
-
-    Raises:
-        InputError: one of them cannot be used.
-    """
+    """Return what the files of a dataset, see `folder_of_dataset`, say; nothing where there are
+    none. `InputError` if one of them cannot be used."""
     folder = folder_of_dataset(dataset)
     return (LandmarkFile(), ViewGroups()) if folder is None else read_landmarks_in(folder)
 
 
 def read_landmarks_in(folder: Path) -> tuple[LandmarkFile, ViewGroups]:
-    """Return what the files in a dataset's folder say; nothing where there are none.
-
-    Raises:
-        InputError: one of them cannot be used.
-    """
+    """As `read_dataset_landmarks`, of the files in a dataset's folder."""
     return load_landmarks(folder / LANDMARKS_FILE), load_views(folder / VIEWS_FILE)
 
 
 def unknown_frames_message(groups: ViewGroups, workspace: Workspace) -> str:
-    """Return the remark on rows that name a frame which a dataset has not, in one sentence; empty
-    where there are none.
-
-    Args:
-        groups: of its ``views.csv``.
-        workspace: its frames; safe from any thread.
-    """
+    """Return the remark on rows of a ``views.csv`` that name a frame which a dataset has not, in
+    one sentence; empty where there are none. Safe from any thread."""
     if not workspace.frames or not groups.unknown_frames(workspace.index):
         return ""
     there = {*workspace.index, *_annotated_in(workspace.annotations)}
@@ -182,14 +142,8 @@ def _annotated_in(folder: Path) -> Iterator[str]:
 
 
 def field_with(field: Field, landmarks: LandmarkFile, groups: ViewGroups, path: Path) -> Field:
-    """The field with a dataset's landmarks.
-
-    Args:
-        path: of the landmarks' file, for errors.
-
-    Raises:
-        InputError: a landmark has the name of a class of the field; which entry it is.
-    """
+    """The field with a dataset's landmarks, from a file at a path. `InputError`, with the entry, if
+    a landmark has the name of a class of the field."""
     instants = FrameTable((frame, of.instant) for frame, of in groups.frames.items())
     try:
         return with_landmarks(field, landmarks.landmarks, None, instants)
@@ -198,11 +152,8 @@ def field_with(field: Field, landmarks: LandmarkFile, groups: ViewGroups, path: 
 
 
 def field_of_dataset_with_landmarks(field: Field, *datasets: Path) -> Field:
-    """The field with the landmarks of the first of these datasets that has any.
-
-    Raises:
-        InputError: their file cannot be used.
-    """
+    """The field with the landmarks of the first of these datasets that has any. `InputError` if
+    their file cannot be used."""
     for dataset in datasets:
         landmarks, groups = read_dataset_landmarks(dataset)
         if landmarks.landmarks:

@@ -57,12 +57,7 @@ ViewCameras = Callable[[str], FrameView | str]
 
 
 def views_of_set(cameras: FrameCameras, size_of: Callable[[str], Size]) -> ViewCameras:
-    """Cameras of a set, which are taken as they are.
-
-    Args:
-        cameras: of the set.
-        size_of: frame -> (width, height) px to work in.
-    """
+    """Cameras of a set, taken as they are; each frame has a (width, height) px to work in."""
 
     def view(frame: str) -> FrameView | str:
         size = size_of(frame)
@@ -85,16 +80,11 @@ def fitted_views(
     size_of: Callable[[str], Size],
     model: str = "R",
 ) -> ViewCameras:
-    """Cameras fitted to the annotations, with their uncertainty; each once.
+    """Cameras fitted to the annotations, with their uncertainty; each once. Each frame has a
+    (width, height) px to fit at.
 
     Triangulated landmarks take no part in the fits: a place must not be what gives the camera that
-    gives the place.
-
-    Args:
-        field: with the dataset's landmarks.
-        annotation_of: frame -> what was clicked.
-        size_of: frame -> (width, height) px to fit at.
-        model: see `fit_camera`.
+    gives the place. The field has the dataset's landmarks.
     """
     own = surveyed_only(field)
 
@@ -129,11 +119,9 @@ def locate(
     noise: float | None = None,
     kept: Landmark | None = None,
 ) -> LocatedLandmark:
-    """Triangulate one landmark.
+    """Triangulate one landmark from its clicks.
 
     Args:
-        clicked: its clicks.
-        views: the cameras.
         click_px: standard deviation of a click along each axis, px of the views; without it the
             usual one, corrected by the residuals.
         noise: how many times as far off as usual clicks are, where other landmarks have shown.
@@ -244,13 +232,8 @@ class FoundInDataset:
 def clicked_frames(
     read: Readers, names: Sequence[str], progress: Progress = lambda done, total: None
 ) -> dict[str, frozenset[str]]:
-    """Frame -> the landmarks clicked in it; frames that cannot be read have none.
-
-    Args:
-        read: frame -> reads its annotation.
-        names: of the landmarks.
-        progress: takes what is done and the total; may raise to stop.
-    """
+    """Frame -> the landmarks of these names clicked in it; frames that cannot be read have none.
+    ``progress`` takes what is done and the total; it may raise to stop."""
     found = {}
     for done, (frame, read_one) in enumerate(read.items()):
         progress(done, len(read))
@@ -274,11 +257,10 @@ def locate_in_dataset(
     search: TriangulationSettings,
     progress: Progress = lambda done, total: None,
 ) -> FoundInDataset:
-    """Triangulate landmarks of a dataset; safe from any thread.
+    """Triangulate landmarks of a dataset, whose field has them; safe from any thread.
 
     Args:
         read: frame -> reads its annotation, of all frames that may show them.
-        field: with the dataset's landmarks.
         place: of the files.
         search: what is looked for, and how.
         progress: takes what is done and the total; may raise to stop.

@@ -64,21 +64,13 @@ class ViewGroups:
         return tuple(name for name in group if name != own)
 
     def unknown_frames(self, frames: Iterable[str]) -> tuple[str, ...]:
-        """The frames that rows name and which there are not, in the file's order.
-
-        Args:
-            frames: names of all there are.
-        """
+        """The frames that rows name and which are not among all there are, in the file's order."""
         there = FrameTable.fromkeys(frames)
         return tuple(name for name in self.lines if name not in there)
 
     def unknown_rows(self, frames: Iterable[str], most: int | None = None) -> tuple[str, ...]:
-        """One sentence for each row that names a frame which there is not.
-
-        Args:
-            frames: names of all there are.
-            most: so many sentences at most; finding what was meant takes long in a large set.
-        """
+        """One sentence for each row that names a frame which is not among all there are; ``most``
+        sentences at most: finding what was meant takes long in a large set."""
         there = FrameTable.fromkeys(frames)
         return tuple(
             f"{self.told_by}: line {self.lines[name]}: there is neither a picture nor an annotation"
@@ -96,11 +88,8 @@ class ViewGroups:
 
 
 def load_views(path: Path) -> ViewGroups:
-    """Read a ``views.csv``; one that is not there groups nothing.
-
-    Raises:
-        InputError: it cannot be read, or what is wrong and where.
-    """
+    """Read a ``views.csv``; one that is not there groups nothing. `InputError`, with the reason and
+    the place, if it cannot be read."""
     if not path.exists():
         return ViewGroups()
     _, table = read_frame_table(path, (_INSTANT,), _ADVICE)
@@ -122,11 +111,7 @@ def load_views(path: Path) -> ViewGroups:
 
 
 def save_views(path: Path, groups: ViewGroups) -> None:
-    """Write a ``views.csv`` in one step.
-
-    Raises:
-        SaveError: it could not be written.
-    """
+    """Write a ``views.csv`` in one step; `SaveError` if it could not be written."""
     rows = [(f, groups.frames[f].instant, groups.frames[f].view) for f in natsorted(groups.frames)]
     cells = ([escape_formula(cell) for cell in row] for row in rows)
     data = encode_rows([(_FRAME, _INSTANT, _VIEW), *cells])
@@ -134,18 +119,11 @@ def save_views(path: Path, groups: ViewGroups) -> None:
 
 
 def replace_views(path: Path, groups: ViewGroups, known: bytes | None = None) -> bytes | None:
-    """Write a ``views.csv`` unless there is one that says something else.
-
-    Args:
-        path: of the file.
-        groups: what it is to say.
-        known: the content that may be replaced; None: nothing may.
+    """Write a ``views.csv`` unless there is one that says something else than what is ``known``
+    and may be replaced. `SaveError` if it could not be written.
 
     Returns:
         None where the file says so now; else what is there, and was left as it is.
-
-    Raises:
-        SaveError: it could not be written.
     """
     try:
         there = read_optional(path)
@@ -205,11 +183,8 @@ def groups_by_name(names: Iterable[str], pattern: str) -> ViewGroups:
 
 
 def views_by_name(names: Iterable[str], pattern: str) -> NamedViews:
-    """The same, as far as names fit the pattern, with what is wrong with it.
-
-    Raises:
-        UsageError: the pattern names no instant, or cannot be understood.
-    """
+    """As `groups_by_name`, as far as names fit the pattern, with what is wrong with it.
+    `UsageError` if the pattern names no instant, or cannot be understood."""
     expression = _expression(pattern)
     found: dict[str, ViewAssignment] = {}
     alone = []

@@ -24,12 +24,8 @@ _NOISE_PX = 0.01  # root mean square; below it points are drawn, not clicked, an
 
 
 def independence_evidence(points_px: FloatArray, residuals_px: FloatArray) -> float | None:
-    """Return -ln p of the test of one frame, at most 6.9; None if it cannot be tested.
-
-    Args:
-        points_px: (n, 2) clicked points.
-        residuals_px: (n, 2) nearest projected position minus clicked point; NaN where undefined.
-    """
+    """Return -ln p of the test of one frame, at most 6.9; None if it cannot be tested. Residuals
+    (n, 2) are the nearest projected position minus the clicked point; NaN where undefined."""
     distances = np.hypot(residuals_px[:, 0], residuals_px[:, 1])
     known = np.isfinite(distances) & (distances > 0)
     distances, points = distances[known], points_px[known]

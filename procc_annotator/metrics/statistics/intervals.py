@@ -81,11 +81,8 @@ class RatioMetrics:
         )
 
     def by_cluster(self, clusters: IntArray) -> RatioMetrics:
-        """The sums of each cluster, (G, K).
-
-        Args:
-            clusters: (F,) number of each frame's cluster, from 0 on.
-        """
+        """The sums of each cluster, (G, K), by the number (F,), from 0 on, of each frame's
+        cluster."""
         order = np.argsort(clusters, kind="stable")
         starts = np.flatnonzero(np.diff(clusters[order], prepend=-1))
         if not len(starts):
@@ -237,11 +234,8 @@ def normal_ppf(share: float) -> float:
 
 
 def student_t_cdf(t: float, freedom: float) -> float:
-    """The share of Student's distribution below ``t``.
-
-    Args:
-        freedom: degrees of freedom, above 0, not necessarily whole.
-    """
+    """The share of Student's distribution below ``t``; its degrees of freedom, above 0, need not be
+    whole."""
     # With t = sqrt(freedom) tan(angle) the density is a power of the cosine.
     half = math.atan(t / math.sqrt(freedom)) / 2
     constant = math.exp(math.lgamma((freedom + 1) / 2) - math.lgamma(freedom / 2))
@@ -251,11 +245,8 @@ def student_t_cdf(t: float, freedom: float) -> float:
 
 @lru_cache(maxsize=512)
 def student_t_ppf(share: float, freedom: float) -> float:
-    """The place below which a share in (0, 1) of Student's distribution lies.
-
-    Args:
-        freedom: degrees of freedom, at least 1.
-    """
+    """The place below which a share in (0, 1) of Student's distribution lies; at least one degree
+    of freedom."""
     if share < 0.5:
         return -student_t_ppf(1 - share, freedom)
     low, high = 0.0, 1.0
@@ -329,13 +320,10 @@ def confidence_intervals(
 
 
 def with_rule_of_three(interval: Interval, clusters: float) -> Interval:
-    """The interval of a share, or of a difference of shares; of one that is equal in all clusters,
-    so that its interval has no width, it reaches 3/n to both sides, exactly -ln(1 - level)/n
-    (Hanley and Lippman-Hand, Journal of the American Medical Association 1983).
-
-    Args:
-        clusters: n, how many clusters of equal size it rests on.
-    """
+    """The interval of a share, or of a difference of shares, over n clusters of equal size; of one
+    that is equal in all clusters, so that its interval has no width, it reaches 3/n to both sides,
+    exactly -ln(1 - level)/n (Hanley and Lippman-Hand, Journal of the American Medical Association
+    1983)."""
     if interval.high - interval.low > 1e-9 or clusters <= 0:
         return interval
     reach = -math.log(1 - interval.level) / clusters
@@ -349,11 +337,8 @@ def critical_value(effective: float, level: float) -> float:
 
 
 def bca_acceleration(without: FloatArray) -> float:
-    """Return how fast a figure's deviation changes with it (Efron 1987).
-
-    Args:
-        without: (G,) the figure without each cluster.
-    """
+    """Return how fast a figure's deviation changes with it, by the figure (G,) without each cluster
+    (Efron 1987)."""
     off = without.mean() - without
     squares = float((off * off).sum())
     return float((off**3).sum()) / (6 * squares**1.5) if squares > 0 else 0.0
@@ -403,14 +388,12 @@ class CurveBand:
 def curve_band(
     sampled: BootstrapSample, draws: BootstrapSettings, least: float = -np.inf, most: float = np.inf
 ) -> CurveBand:
-    """The band of a curve whose places are the figures sampled.
+    """The band of a curve whose places are the figures sampled, between the least and the most that
+    a curve can be.
 
     The largest deviation among all thresholds, in standard deviations of each, is taken from the
     sets drawn (Montiel Olea and Plagborg-Møller, Journal of Applied Econometrics 2019); few
     clusters widen it as they do an interval. Where no set drawn deviates the band has no width.
-
-    Args:
-        least, most: beyond which no curve can be.
     """
     deviation = sampled.deviation
     half = np.where(np.isfinite(deviation), 0.0, np.nan)

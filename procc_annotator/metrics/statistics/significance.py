@@ -192,7 +192,6 @@ def significant_ranks(
     """The place of each source: one more than those that are better beyond chance.
 
     Args:
-        count: of sources.
         differences: (a, b) -> what a has more than b.
         better: +1 where more is better, -1 where less is.
     """
@@ -222,12 +221,8 @@ def significantly_best(
 
 
 def probability_of_best(drawn: Sequence[FloatArray], better: int) -> list[float]:
-    """In which share of the sets drawn each source is the best; ties are shared out.
-
-    Args:
-        drawn: of each source (B,) its figure in the sets drawn, on the same frames.
-        better: as for `ranks`.
-    """
+    """In which share of the sets drawn each source, with its figures (B,) in these, on the same
+    frames, is the best; ties are shared out. ``better`` as for `significant_ranks`."""
     if not drawn:
         return []
     figures = better * np.stack(drawn, axis=1)

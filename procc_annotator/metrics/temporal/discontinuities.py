@@ -238,15 +238,9 @@ def shift_range() -> IntArray:
 
 
 def frame_offset(costs_px: FloatArray) -> FrameOffset | None:
-    """The shift at which a shot fits best.
-
-    Args:
-        costs_px: (F, 2 K + 1) of each frame at each shift, NaN where there is no camera.
-
-    Returns:
-        None where fewer than three frames have a camera at every shift. Shifts at the ends that
-        would leave hardly any frame are not tried.
-    """
+    """The shift at which a shot fits best, by costs (F, 2 K + 1) of each frame at each shift, px,
+    NaN where there is no camera; None where fewer than three frames have one at every shift.
+    Shifts at the ends that would leave hardly any frame are not tried."""
     half = costs_px.shape[1] // 2
     for largest in range(half, 0, -1):
         table = costs_px[:, half - largest : half + largest + 1]

@@ -40,15 +40,9 @@ class ShotJitter:
 
 
 def consecutive_neighbours(numbers: Sequence[int]) -> BoolArray:
-    """Which frames have one just before and one just after them.
-
-    Args:
-        numbers: (n,) of the frames of a shot, ascending; they need not be every frame of a video,
-            but where some are left out their neighbours do not follow each other.
-
-    Returns:
-        (n,) bool; ends are False.
-    """
+    """(n,) which frames have one just before and one just after them, by the ascending numbers of
+    the frames of a shot; they need not be every frame of a video, but where some are left out
+    their neighbours do not follow each other. Ends are False."""
     found = np.zeros(len(numbers), dtype=bool)
     if len(numbers) > 2:
         steps = np.diff(numbers)
@@ -64,14 +58,8 @@ def typical_frame_step(numbers: Sequence[int]) -> int:
 
 
 def field_ground_points(field: Field) -> FloatArray:
-    """Places along everything that a field has on the ground, optional elements left out.
-
-    Returns:
-        (P, 3) metres, evenly spaced along the elements.
-
-    Raises:
-        UsageError: it has nothing on the ground.
-    """
+    """(P, 3) metres: places evenly spaced along everything that a field has on the ground, optional
+    elements left out. `UsageError` if it has nothing there."""
     around = field_rectangle(field)
     spacing = math.hypot(around.right - around.left, around.bottom - around.top) / _SAMPLE_STEPS
     samples = sample_evenly(field, spacing)
@@ -120,26 +108,15 @@ def projection_jitter(
 
 
 def shot_rms(values: FloatArray, left_out: BoolArray | None = None) -> float | None:
-    """The root mean square over the frames of a shot; None where no frame has a value.
-
-    Args:
-        values: (n,) of each frame.
-        left_out: (n,) frames that do not count, such as those of a jump.
-    """
+    """The root mean square of values (n,) over the frames of a shot that are not left out (n,),
+    such as those of a jump; None where no frame has a value."""
     counted = np.isfinite(values) if left_out is None else np.isfinite(values) & ~left_out
     return float(np.sqrt(np.mean(values[counted] ** 2))) if counted.any() else None
 
 
 def second_differences(values: FloatArray, numbers: Sequence[int]) -> FloatArray:
-    """Second differences of a course, as the error of one frame.
-
-    Args:
-        values: (n,) or (n, d) of each frame, NaN where it has none.
-        numbers: (n,) of the frames.
-
-    Returns:
-        (n,) root of the summed squares over d; NaN where a neighbour is missing.
-    """
+    """Second differences (n,) of a course (n,) or (n, d), NaN where a frame has no value, as the
+    error of one frame: root of the summed squares over d; NaN where a neighbour is missing."""
     found: NDArray[np.float64] = np.full(len(values), np.nan)
     table = values.reshape(len(values), -1)
     at: IntArray = np.flatnonzero(consecutive_neighbours(numbers))
@@ -203,12 +180,8 @@ class PoseJitter:
 
 
 def shot_poses(cameras: Sequence[CameraOrProjections | None], size: tuple[int, int]) -> ShotPoses:
-    """The poses of a shot's cameras.
-
-    Args:
-        cameras: (n,) in px of ``size``; of models without a pose only homographies imply one.
-        size: (width, height) px.
-    """
+    """The poses of a shot's n cameras, in px of ``size``; of models without a pose only
+    homographies imply one."""
     found = np.full((len(cameras), 7), np.nan)
     implied = False
     for row, camera in zip(found, cameras, strict=True):
@@ -225,13 +198,8 @@ def shot_poses(cameras: Sequence[CameraOrProjections | None], size: tuple[int, i
 
 
 def pose_jitter(poses: ShotPoses, numbers: Sequence[int], left_out: BoolArray) -> PoseJitter:
-    """Return how unsteadily pan, tilt, roll, zoom and position go over a shot.
-
-    Args:
-        poses: of its frames.
-        numbers: (n,) of the frames, ascending.
-        left_out: (n,) frames that do not count, such as those of a jump.
-    """
+    """Return how unsteadily pan, tilt, roll, zoom and position go over a shot, by the ascending
+    numbers of its frames; those left out (n,), such as those of a jump, do not count."""
 
     def of(values: FloatArray) -> float | None:
         return shot_rms(second_differences(values, numbers), left_out)
