@@ -46,13 +46,8 @@ class FieldPreview(QMainWindow):
         dimensions: Mapping[str, float] | None = None,
         taken_keys: Mapping[str, str] | None = None,
     ) -> None:
-        """Begin to read.
-
-        Args:
-            source: as `load_field` takes it.
-            dimensions: metres, by name, that are not nominal.
-            taken_keys: keys that mean something else in the window, and what.
-        """
+        """Begin to read a source as `load_field` takes it, with the dimensions, metres by name,
+        that are not nominal, and with keys that mean something else in the window, and what."""
         super().__init__()
         self.setObjectName("fieldPreview")
         self._source, self._dimensions = source, dict(dimensions or {})
@@ -152,11 +147,7 @@ def run_preview(
     dimensions: Mapping[str, float] | None = None,
     taken_keys: Mapping[str, str] | None = None,
 ) -> int:
-    """Show the window until it is closed; returns the exit code.
-
-    Args:
-        source, dimensions, taken_keys: see `FieldPreview`.
-    """
+    """Show the window until it is closed; returns the exit code. See `FieldPreview`."""
     from procc_annotator.gui.app import application, show_until_closed
 
     app = application()

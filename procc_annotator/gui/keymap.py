@@ -157,12 +157,10 @@ def short_text(keys: str) -> str:
 
 
 def clashes(keymap: Keymap, elements: Sequence[Element] = ()) -> dict[str, str]:
-    """Return what cannot be called since its keys mean something else, too.
+    """Return what cannot be called since its keys mean something else, too: ``action:NAME`` or
+    ``element:CLASS`` -> the title of what it clashes with, as it is shown.
 
     A sequence that begins with another's keys clashes with it: Qt would wait whether more comes.
-
-    Returns:
-        ``action:NAME`` or ``element:CLASS`` -> the title of what it clashes with, as it is shown.
     """
     taken = [(chords_of(key), "", tr(_HELD)) for key in HELD_KEYS]
     taken += [(chords_of(key), id_, title) for id_, title, keys in _calls(keymap, elements)
@@ -201,10 +199,7 @@ def to_values(keymap: Keymap) -> dict[str, object]:
 
 def from_values(values: object) -> Keymap:
     """A keymap from plain values; actions that this version does not know are left out.
-
-    Raises:
-        UsageError: that is no keymap; with the place in it.
-    """
+    `UsageError`, with the place in it, if that is no keymap."""
     if not isinstance(values, dict):
         raise UsageError(tr('expected an object with "actions" and "elements"'))
     actions, elements = values.get("actions", {}), values.get("elements", {})

@@ -59,11 +59,8 @@ def of_system() -> str:
 
 
 def take_up(app: QCoreApplication, chosen: str) -> None:
-    """Have all that is made from now on speak a language; what was made keeps its words.
-
-    Args:
-        chosen: a key of ``LANGUAGES``, or ``SYSTEM``.
-    """
+    """Have all that is made from now on speak a language (a key of ``LANGUAGES``, or ``SYSTEM``);
+    what was made keeps its words."""
     while _taken_up:
         app.removeTranslator(_taken_up.pop())
     translation.set_translator(None)

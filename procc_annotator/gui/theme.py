@@ -257,11 +257,8 @@ def follow_theme(view: QGraphicsView) -> None:
 
 
 def readable(colour: str, palette: QPalette, least: float = LEAST_CONTRAST) -> QColor:
-    """A colour as it is, or nearer to the text's where it would hardly be seen.
-
-    Args:
-        least: contrast to the ground of lists and plots.
-    """
+    """A colour as it is, or nearer to the text's where it would hardly be seen: below a contrast to
+    the ground of lists and plots."""
     base = palette.color(QPalette.ColorRole.Base)
     text = palette.color(QPalette.ColorRole.Text)
     asked = QColor(colour)

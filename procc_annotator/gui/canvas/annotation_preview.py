@@ -23,13 +23,8 @@ class AnnotationPreview(QWidget):
     """Shows polylines in the colours of their classes."""
 
     def __init__(self, picture: PixelArray | None, field: Field, size: tuple[int, int]) -> None:
-        """Show an empty annotation.
-
-        Args:
-            picture: (H, W, 4) BGRA, or None.
-            field: names and colours.
-            size: (width, height) of the picture, px; counts when there is no picture.
-        """
+        """Show an empty annotation on a picture (H, W, 4) BGRA; without one ``size``, (width,
+        height) px, counts."""
         super().__init__()
         self.setObjectName("annotationPreview")
         self.setMinimumSize(160, 90)

@@ -32,12 +32,8 @@ from procc_annotator.translation import tr, tr_count
 
 
 def why_not_deleted(title: str, dropped: int) -> str:
-    """Return why no element was deleted, or what was taken back instead.
-
-    Args:
-        title: of the chosen element; empty for none.
-        dropped: how many points were under way of it.
-    """
+    """Return why no element was deleted, or what was taken back instead: so many points that were
+    under way of the chosen element, if there is one (its title)."""
     if not title:
         return tr("choose the element to delete first: field map, list, or its key")
     if dropped:

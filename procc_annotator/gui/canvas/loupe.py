@@ -129,17 +129,9 @@ class Loupe(ViewportOverlay):
 
 
 def place_beside(cursor: QPointF, size: QSize, room: QSize) -> QPoint | None:
-    """Return where a box stands next to the cursor: right and below if it fits, else on the
-    other side.
-
-    Args:
-        cursor: in the room, points.
-        size: of the box.
-        room: from (0, 0); the box stays inside.
-
-    Returns:
-        The box's top left corner; it never covers the cursor. None without room.
-    """
+    """Return the top left corner, points, of a box next to the cursor in a room that begins at (0,
+    0): right and below if it fits, else on the other side. It never covers the cursor; None
+    without room."""
     if size.width() > room.width() or size.height() > room.height():
         return None
     x = _beside(cursor.x(), size.width(), room.width())
@@ -167,17 +159,8 @@ def _within(cursor: float, size: int, room: int) -> int:
 
 
 def magnify(pixels: PixelArray, corner: tuple[int, ...], factor: int, side: int) -> PixelArray:
-    """A part of a picture, every pixel a square block; dark where there is no picture.
-
-    Args:
-        pixels: (H, W, 4) BGRA.
-        corner: (x, y) of the picture's top left corner in the result, px of the result.
-        factor: side of a block.
-        side: of the result.
-
-    Returns:
-        (side, side, 4) BGRA.
-    """
+    """A part (side, side, 4) of a picture (H, W, 4) BGRA, every pixel a square block of so many px;
+    dark where there is no picture. ``corner``: its top left corner in the result, px."""
     result = np.empty((side, side, 4), dtype=np.uint8)
     result.view(np.uint32).fill(_OUTSIDE)
     spans = []
@@ -206,14 +189,8 @@ def position_text(centre: tuple[float, float]) -> str:
 
 
 def _paint_crosshair(painter: QPainter, middle: float, side: int, line: int) -> None:
-    """Thin lines that end short of the middle, which stays visible, and a dot there.
-
-    Args:
-        painter: in px of the screen.
-        middle: of both directions.
-        side: length of the lines.
-        line: their width; a dark rim of the same width keeps them readable on white.
-    """
+    """Thin lines that end short of the middle, which stays visible, and a dot there; screen px.
+    A dark rim of the same width keeps them readable on white."""
     gap, far = 7.0 * line, side - middle
     for colour, half in ((_CROSS_RIM, 1.5 * line), (_FRAME, 0.5 * line)):
         for begin, end in ((-middle, -gap), (gap, far)):

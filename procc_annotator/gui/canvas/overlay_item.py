@@ -419,13 +419,8 @@ def _bounds(was: Positions, now: Positions, margin: float) -> QRectF:
 
 
 def _reach_of_label(place: Sequence[float], text: str, point: float, times: float) -> QRectF:
-    """Return the bounds of a text around its point, scene coordinates.
-
-    Args:
-        place: of the point, picture px.
-        point: picture px.
-        times: the size of texts relative to the usual one.
-    """
+    """Return the bounds of a text around its point, both picture px, scene coordinates; texts are
+    ``times`` as large as usual."""
     x, y = place
     letter = _LETTER if text.isascii() else _WIDE_LETTER
     reach = ((len(text) * letter + _SIGNS) * times + 20) * point

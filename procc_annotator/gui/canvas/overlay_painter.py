@@ -170,16 +170,8 @@ def draw_lines(painter: QPainter, lines: Array, pen: QPen) -> None:
 
 
 def clip_lines(lines: Array, room: QRectF) -> tuple[NDArray[np.intp], Array, Array]:
-    """The part of each line inside a rectangle (Liang-Barsky).
-
-    Args:
-        lines: (N, 4) device px.
-        room: device px.
-
-    Returns:
-        Rows of the lines that touch the rectangle, and where on them (0 to 1) the inside begins and
-        ends.
-    """
+    """The part of each line (N, 4), device px, inside a rectangle (Liang-Barsky): rows of the lines
+    that touch it, and where on them (0 to 1) the inside begins and ends."""
     begin, end = np.zeros(len(lines)), np.ones(len(lines))
     step = lines[:, 2:] - lines[:, :2]
     low = np.array([room.left(), room.top()])

@@ -31,13 +31,8 @@ from procc_annotator.translation import in_english
 
 
 def paint_caption(painter: QPainter, text: str, area: QRectF, unit: float, font_px: int) -> None:
-    """Paint a line of words on a dark band; nothing for none.
-
-    Args:
-        area: of the picture, px of the painter.
-        unit: px of a point.
-        font_px: height of the letters.
-    """
+    """Paint a line of words on a dark band of an area, px of the painter; nothing for none.
+    ``unit`` is px of a point, ``font_px`` the height of the letters."""
     if not text:
         return
     font = QFont()
@@ -144,11 +139,8 @@ _JPEG = (cv2.IMWRITE_JPEG_QUALITY, 88)
 
 
 class OverlayPictures:
-    """Called with a scene, gives the picture encoded as ``.png``, ``.jpg`` or ``.svg``.
-
-    Raises:
-        UsageError: another suffix.
-    """
+    """Called with a scene, gives the picture encoded as ``.png``, ``.jpg`` or ``.svg``;
+    `UsageError` for another suffix."""
 
     def __init__(self, suffix: str, look: OverlayLook | None = None) -> None:
         check_overlay_suffix(suffix)
@@ -160,12 +152,8 @@ class OverlayPictures:
         )
 
     def __call__(self, scene: Scene) -> bytes:
-        """The encoded picture.
-
-        Raises:
-            ImageError: the picture cannot be decoded.
-            UsageError: the result would be too large.
-        """
+        """The encoded picture; `ImageError` if it cannot be decoded, `UsageError` if the result
+        would be too large."""
         with in_english():
             drawing = _Drawing(scene, self._look)
             if self._suffix == ".svg":

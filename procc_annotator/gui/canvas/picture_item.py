@@ -89,12 +89,8 @@ class PictureItem(QGraphicsItem):
         self._small_image = QImage()
 
     def set_picture(self, pixels: PixelArray | None, size: tuple[int, int] | None) -> None:
-        """Show another picture, or none.
-
-        Args:
-            pixels: (h, w, 4) BGRA, as many as there are or half as many a side.
-            size: (width, height) px that it covers.
-        """
+        """Show another picture, (h, w, 4) BGRA, or none; it covers ``size``, (width, height) px,
+        and has as many pixels or half as many a side."""
         if (size or (0, 0)) != self._size:
             self.prepareGeometryChange()
             self._size = size or (0, 0)
@@ -139,12 +135,9 @@ class PictureItem(QGraphicsItem):
 
 
 def exposed_rects(painter: QPainter) -> list[QRectF]:
-    """Return the rectangles that are painted now, logical px: Qt copies or blends an image several
-    times as fast within one rectangle as within a region of several.
-
-    Args:
-        painter: without a world transform.
-    """
+    """Return the rectangles that are painted now, logical px, by a painter without a world
+    transform: Qt copies or blends an image several times as fast within one rectangle as within a
+    region of several."""
     region = painter.paintEngine().systemClip()
     if region.isEmpty():
         return [QRectF(painter.viewport())]

@@ -59,11 +59,10 @@ class LabelDialog(QDialog):
         better: str = "",
         has_file: bool = False,
     ) -> None:
-        """Show what is proposed; what is open stays an unknown class unless a person says more.
+        """Show what is proposed for labels that are no class; what is open stays an unknown class
+        unless a person says more.
 
         Args:
-            proposals: of every label that is no class.
-            field: of the dataset.
             better: title of a field whose classes are called more like the labels; may be empty.
             has_file: whether the dataset has a ``labels.toml`` already.
         """

@@ -114,11 +114,8 @@ class GhostAccepting(QObject):
             self._say(tr("{element} is accepted once its points are found", element=title))
 
     def accept_all(self, then: Callable[[], None] = lambda: None) -> None:
-        """Make all ghosts elements whose lines are seen well enough.
-
-        Args:
-            then: called after that if their frame is still on screen and holds anything.
-        """
+        """Make all ghosts elements whose lines are seen well enough; ``then`` is called after that
+        if their frame is still on screen and holds anything."""
         services = self._services
         if self._asked is not None and self._asked.all:
             return  # they are under way

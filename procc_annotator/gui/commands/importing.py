@@ -85,11 +85,7 @@ class LabelLook:
 
     def read(self, control: JobControl) -> LookedAt:
         """Read by the dataset's own map, and propose what the labels stand for that it leaves open.
-
-        Raises:
-            UsageError, InputError: as of `report.conversion.read_annotations`; the dataset's map
-                cannot be used.
-        """
+        Raises as `report.conversion.read_annotations`, and if the dataset's map cannot be used."""
         from procc_annotator.assist.label_matching import cameras_of, labelled_frames
         from procc_annotator.assist.label_proposal import better_field, propose_labels
         from procc_annotator.report.conversion import read_annotations
@@ -113,18 +109,8 @@ class LabelLook:
     def read_by(
         self, looked: LookedAt, rules: Mapping[str, Rule], control: JobControl, *, keep: bool
     ) -> ReadSet:
-        """Read it by more rules.
-
-        Args:
-            looked: what the first look found.
-            rules: of labels that the dataset's own map does not name.
-            control: of the job.
-            keep: whether the dataset is to have them.
-
-        Raises:
-            UsageError, InputError: as of `read`.
-            SaveError: the dataset's map cannot be written.
-        """
+        """Read it by more rules, of labels that the dataset's own map does not name; ``keep`` them
+        for the dataset. `SaveError` if its map cannot be written."""
         from procc_annotator.report.conversion import read_annotations
 
         every = {**looked.own, **rules}

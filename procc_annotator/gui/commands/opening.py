@@ -52,10 +52,8 @@ class VideoDialog(QDialog):
     """Every so many seconds, or one frame for each scene; and which field the video shows."""
 
     def __init__(self, parent: QWidget, video: Video, shown: Field, *, decided: bool) -> None:
-        """Args:
-        shown: the field as far as known.
-        decided: whether a file in the dataset's folder says so, and no other can be chosen.
-        """
+        """Show the field as far as known; if ``decided`` a file in the dataset's folder says so,
+        and no other can be chosen."""
         super().__init__(parent)
         self.setObjectName("videoDialog")
         self.setWindowTitle(tr("Open a video"))

@@ -42,11 +42,7 @@ _TOO_LARGE = word("{width} x {height} px, too large: choose a smaller scale or S
 
 
 class OverlayDialog(QDialog):
-    """Asks for the kind, the scale and the legend.
-
-    Args:
-        size: (width, height) px of the picture.
-    """
+    """Asks for the kind, the scale and the legend of a picture (width, height), px."""
 
     def __init__(self, size: tuple[int, int], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -123,11 +119,8 @@ class OverlaySaving:
             self.write(path, look)
 
     def write(self, path: Path, look: OverlayLook) -> bool:
-        """Write the frame on screen in the background; the suffix says which kind.
-
-        Returns:
-            Whether writing began. What came of it is a message.
-        """
+        """Begin to write the frame on screen in the background; the suffix says which kind. False
+        if that did not begin; what came of it is a message."""
         services = self._services
         frame = services.state.frame
         if frame is None:

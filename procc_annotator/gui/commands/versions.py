@@ -57,12 +57,10 @@ class VersionsDialog(QDialog):
         """Build the dialog.
 
         Args:
-            parent: the window.
             versions: in any order; shown newest first.
             preview: reads a version by its id, once and only when it is examined; may raise a
                 ProccError, which is shown in place of the version.
             picture: (H, W, 4) BGRA of the frame, or None if it cannot be shown.
-            field: names and colours.
             size: (width, height) of the picture, px; counts when there is no picture.
             current: the annotation as it is now.
         """

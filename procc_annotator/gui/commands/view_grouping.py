@@ -135,9 +135,7 @@ class ViewDialog(TaskDialog):
     """Shows nothing but what it is given."""
 
     def __init__(self, parent: QWidget, there: ViewGroups) -> None:
-        """Args:
-        there: the groups in the dataset's file now.
-        """
+        """Begin with the groups in the dataset's file now."""
         super().__init__(parent, "viewDialog", tr("Group views"))
         self.preview: Preview | None = None
         asked = QLabel(tr(_ASKED), wordWrap=True, textFormat=Qt.TextFormat.RichText)

@@ -91,11 +91,8 @@ def element_states(services: Services) -> dict[str, ElementState]:
 def fly_to_point(
     services: Services, annotation: FrameAnnotation, class_name: str, point: int | None
 ) -> bool:
-    """Choose an element, or one of its points, and show the point (None: the first one).
-
-    Returns:
-        Whether the annotation has a point of the element that can be shown.
-    """
+    """Choose an element, or one of its points, and show the point (None: the first one). False if
+    the annotation has no point of the element that can be shown."""
     if point is not None:
         services.selection.select_point(class_name, point)
     else:

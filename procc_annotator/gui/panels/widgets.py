@@ -63,10 +63,8 @@ class RowsModel(QAbstractTableModel, Generic[R]):
     def __init__(
         self, headings: Sequence[str], tips: Sequence[str] = (), first_figure: int | None = None
     ) -> None:
-        """Args:
-        headings, tips: of the columns, marked by ``word``.
-        first_figure: columns from here on are aligned to the right.
-        """
+        """Headings and tips of the columns are marked by ``word``; columns from ``first_figure`` on
+        are aligned to the right."""
         super().__init__()
         self.rows: Sequence[R] = ()
         self._headings, self._tips = [tr(one) for one in headings], [tr(one) for one in tips]
@@ -153,12 +151,8 @@ class LowTable(QTableView):
 
 
 def list_rows(table: QTableView, room: int = 6) -> None:
-    """Have a table look like a list: whole rows, one of which may be chosen, without a grid.
-
-    Args:
-        table: its model is set.
-        room: px a row is higher than its text.
-    """
+    """Have a table, whose model is set, look like a list: whole rows, ``room`` px higher than their
+    text, one of which may be chosen, without a grid."""
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -196,11 +190,7 @@ class ElementTable(LowTable):
     chosen = Signal(int)  # a row
 
     def __init__(self, name: str, model: ElementRowsModel[E], samples: Mapping[int, str]) -> None:
-        """Args:
-        name: the widget's.
-        model: the rows.
-        samples: by column, the widest text there; all other room is the titles'.
-        """
+        """Show rows; samples are by column the widest text there, all other room is the titles'."""
         super().__init__()
         self._model = model
         self._following = False
@@ -351,12 +341,7 @@ class Panel(QWidget):
     left = Signal()  # the keyboard belongs to the canvas again
 
     def __init__(self, services: Services, name: str, size: tuple[int, int] | None = None) -> None:
-        """
-        Args:
-            services: what it shows and changes.
-            name: the object name.
-            size: px that it asks for; None: what its content asks for.
-        """
+        """Name the panel; it asks for a size, px, else for what its content asks for."""
         super().__init__()
         self.setObjectName(name)
         self._services, self._size = services, size

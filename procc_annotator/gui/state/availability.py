@@ -26,12 +26,8 @@ def no_source(state: State) -> str:
 
 
 def no_fit(state: State, locked: str, *, wanted: bool) -> str:
-    """The clicks on screen are not fitted.
-
-    Args:
-        locked: that the dataset is locked to blind mode, which has no fit; empty if it is not.
-        wanted: whether the user wants a fit.
-    """
+    """The clicks on screen are not fitted; ``locked``: that the dataset is locked to blind mode,
+    which has no fit, empty if it is not."""
     off = "" if wanted else tr("the live fit is off (Ctrl+T)")
     return no_frame(state) or locked or off or hidden(state)
 

@@ -179,10 +179,7 @@ class Job:
 
     def finish(self, timeout_s: float | None = None) -> bool:
         """Wait for the work and deliver its outcome now; nothing happens once it is delivered.
-
-        Returns:
-            False if it takes longer than the timeout; the work then goes on as before.
-        """
+        False if it takes longer than the timeout; the work then goes on as before."""
         if self.running:
             if not wait([self._begin()], timeout_s).done:
                 return False

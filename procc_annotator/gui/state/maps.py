@@ -75,12 +75,8 @@ def map_shapes(
     y: FloatArray,
     area: ContourBand | None = None,
 ) -> MapShapes:
-    """The shapes of a map; safe from any thread, and too slow for that of the interface.
-
-    Args:
-        values, x, y: as for `metrics.error_maps.filled_contours`.
-        area: nothing is painted outside.
-    """
+    """The shapes of a map, for the arrays see `metrics.error_maps.filled_contours`; nothing is
+    painted outside an area. Safe from any thread, and too slow for that of the interface."""
     return MapShapes(
         look,
         tuple(_path(band) for band in filled_contours(values, x, y, look.levels_m)),
@@ -210,11 +206,8 @@ def _both(names: Sequence[str]) -> str:
 def compare_cameras(
     names: tuple[str, str], a: Camera, b: Camera, field: Field, size: tuple[int, int]
 ) -> Compared:
-    """Compare two cameras of a frame, px of ``size``; safe from any thread.
-
-    Raises:
-        UsageError: one of them shares only projections.
-    """
+    """Compare two cameras of a frame, px of ``size``; safe from any thread. `UsageError` if one of
+    them shares only projections."""
     values = disagreement(a, b, field, size)
     _ = values.statistics  # kept with the values; worked out here, not where it is shown
     return Compared(names, values, shapes_in_picture(values), shapes_on_field(values))
@@ -350,15 +343,8 @@ class GroundAccuracy:
     field: MapShapes
 
     def at(self, x: float, y: float) -> float | None:
-        """Standard deviation of the ground point at a place of the picture, metres: between the
-        samples in proportion.
-
-        Args:
-            x, y: px of the fit's picture.
-
-        Returns:
-            None off the field and above the horizon.
-        """
+        """Standard deviation of the ground point at a place of the fit's picture, px, in metres:
+        between the samples in proportion; None off the field and above the horizon."""
         known = self.values
         if known.fit.camera is None:
             return None
@@ -367,11 +353,7 @@ class GroundAccuracy:
 
 
 def know_ground(fit: FitResult, field: Field) -> GroundAccuracy:
-    """The map of a fit with its shapes; safe from any thread.
-
-    Raises:
-        UsageError: the fit has no camera.
-    """
+    """The map of a fit with its shapes; safe from any thread. `UsageError` if it has no camera."""
     values = map_ground_uncertainty(fit, field)
     _ = values.statistics  # kept with the values; worked out here, not where it is shown
     x, y = np.meshgrid(values.xs_m, values.ys_m)

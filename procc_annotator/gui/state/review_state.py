@@ -136,13 +136,7 @@ class ReviewState(QObject):
         return tr("{frame} was {status} and is in progress again", frame=frame, status=status)
 
     def commit(self, frame: str, annotation: FrameAnnotation, *, blind: bool) -> None:
-        """Declare a frame's clicks final.
-
-        Args:
-            frame: its name.
-            annotation: what it holds.
-            blind: whether no camera of it was shown so far.
-        """
+        """Declare a frame's clicks final; ``blind``: no camera of it was shown so far."""
         if self.database is None:
             return
         if blind and not self.record(frame).committed:

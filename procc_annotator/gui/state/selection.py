@@ -91,14 +91,8 @@ def that_survives(
     selection: ChosenElement, before: FrameAnnotation, after: FrameAnnotation, *, stepped: bool
 ) -> ChosenElement:
     """Return the selection after an annotation has changed; clicks do not continue an element
-    whose points changed.
-
-    Args:
-        selection: of before.
-        before, after: the annotations.
-        stepped: whether the other one was made elsewhere (undo, another window): points of an
-            element that has more or fewer of them are others then than those that were chosen.
-    """
+    whose points changed. If ``stepped``, the other one was made elsewhere (undo, another window):
+    points of an element that has more or fewer of them are others then than those chosen."""
     name = selection.class_name or ""
     if selection.continues and _polyline(before, name) != _polyline(after, name):
         selection = replace(selection, continues=False)

@@ -100,13 +100,8 @@ class PaletteEntries:
         self._show_setting = show_setting
 
     def found(self, text: str, called: Iterable[str] = ()) -> list[Entry]:
-        """Return what fits a text, best first; for an empty one what was called last, then all
-        actions.
-
-        Args:
-            text: as it was typed.
-            called: keys of what was called last, newest first.
-        """
+        """Return what fits a text, best first; for an empty one what was called last (keys, newest
+        first), then all actions."""
         if not text.strip():
             actions = {entry.key: entry for entry in self._of_actions()}
             last = [actions.pop(key) for key in called if key in actions]

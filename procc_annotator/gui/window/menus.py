@@ -378,19 +378,15 @@ def class_menu(
     keymap: Keymap = USUAL,
     chosen: Callable[[str], None],
 ) -> QMenu:
-    """A menu of all classes: suggestions, then a submenu for every group of the field.
+    """A menu of all classes: suggestions, then a submenu for every group of the field, in their
+    order, then its classes without geometry. The ``data()`` of its entries are class names.
 
     Args:
-        parent: owner of the menu.
-        field: its groups, in their order, then its classes without geometry.
         title: of the menu, as in "Change class to".
         first: class names offered at the top, best first; they may be unknown to the field.
         disabled: class names that cannot be chosen now; they stay where they are, in grey.
         keymap: of the keys next to the names.
         chosen: called with the class name of the chosen entry.
-
-    Returns:
-        The menu; the ``data()`` of its entries are class names.
     """
     menu = QMenu(title, parent)
     for name in dict.fromkeys(first):

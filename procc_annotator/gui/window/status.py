@@ -152,11 +152,7 @@ class SteadyLabel(QLabel):
     """A label that has its neighbours laid out anew only when it needs another size."""
 
     def __init__(self, least: str = "") -> None:
-        """Show nothing yet.
-
-        Args:
-            least: a text that it always has room for.
-        """
+        """Show nothing yet; there is always room for the text ``least``."""
         super().__init__()
         self._least = least
 
@@ -254,11 +250,8 @@ class StatusLine(QStatusBar):
         self._just_told.start(0)
 
     def forget(self, *, just_told: bool = False) -> None:
-        """Have the message go: it is of what is not on screen any more.
-
-        Args:
-            just_told: also one that was just shown.
-        """
+        """Have the message go: it is of what is not on screen any more; also one that was just
+        shown if ``just_told``."""
         if self._message_timer.isActive() and (just_told or not self._just_told.isActive()):
             self._message_timer.stop()
             self._show_hint()

@@ -206,13 +206,8 @@ class WordsButton(QToolButton):
     """An icon and words, which are shortened where there is no room, in a frame of its own."""
 
     def __init__(self, icon: str, elide: Qt.TextElideMode, least: int) -> None:
-        """Show nothing yet.
-
-        Args:
-            icon: left of the words.
-            elide: where words are shortened.
-            least: letters that there is always room for.
-        """
+        """Show nothing yet but an icon left of the words, which are shortened at ``elide``; there
+        is always room for ``least`` letters."""
         super().__init__()
         self._icon, self._elide, self._least = icon, elide, least
         self._words = self._key = ""
@@ -287,13 +282,7 @@ class TopBar(QToolBar):
     """Assembled from the table of actions and the state."""
 
     def __init__(self, services: Services, actions: Actions, fields: QMenu) -> None:
-        """Show nothing yet.
-
-        Args:
-            services: what is open.
-            actions: what the buttons do.
-            fields: the menu in which a dataset's field is chosen.
-        """
+        """Show nothing yet; ``fields`` is the menu in which a dataset's field is chosen."""
         super().__init__(tr("Top bar"))
         fix_bar(self, "topBar")
         self._services = services

@@ -99,13 +99,8 @@ class Workspaces(QObject):
         canvas: QWidget,
         entrances: Mapping[str, Callable[[], None]],
     ) -> None:
-        """
-        Args:
-            window: the docks' parent.
-            panels: by name, as in `TITLES`.
-            canvas: gets the keyboard focus when panels are closed.
-            entrances: panel -> puts the keyboard focus where text is entered in it.
-        """
+        """Dock panels, by name as in `TITLES`, in the window; the canvas gets the keyboard focus
+        when they are closed. Entrances put it where text is entered in a panel."""
         super().__init__(window)
         self._window, self._canvas, self._entrances = window, canvas, entrances
         self._open = QByteArray()

@@ -63,14 +63,10 @@ class _Thing:
 def unfolded(elements: tuple[Element, ...], ground: Bounds) -> list[Unfold]:
     """Return how to lay each element flat: functions of (n, 3) metres to (n, 2) map metres.
 
-    What is on the ground stays where it is, a border above the ground becomes a second one around
-    it, and whatever else stands or hangs is laid outwards behind its end of the field, seen from
-    the field; what stands in the middle is laid behind the right end. Single places stay where they
-    are, at the map's edge if they are far away.
-
-    Args:
-        elements: of a field.
-        ground: (left, top, right, bottom) of those on the ground, metres.
+    What is on the ground (left, top, right, bottom) stays where it is, a border above the ground
+    becomes a second one around it, and whatever else stands or hangs is laid outwards behind its
+    end of the field, seen from the field; what stands in the middle is laid behind the right end.
+    Single places stay where they are, at the map's edge if they are far away.
     """
     found: list[Unfold] = [_from_above] * len(elements)
     standing = [i for i, e in enumerate(elements) if not e.on_ground]
@@ -90,15 +86,9 @@ def unfolded(elements: tuple[Element, ...], ground: Bounds) -> list[Unfold]:
 def unfolded_spots(
     places: FloatArray, elements: tuple[Element, ...], ways: Sequence[Unfold], ground: Bounds
 ) -> list[Unfold]:
-    """Return how to lay single places flat that are none of the field's own: next to the thing in
-    the air that they belong to, else where they are.
-
-    Args:
-        places: (n, 3) metres.
-        elements: of the field.
-        ways: how these are laid (`unfolded`).
-        ground: (left, top, right, bottom) of those on the ground, metres.
-    """
+    """Return how to lay single places (n, 3), metres, flat that are none of the field's own: next
+    to the thing in the air that they belong to, among the elements, which are laid in the ``ways``
+    of `unfolded`, else where they are."""
     found = [_edge_of(ground)] * len(places)
     standing = [(i, outline_of(e.geometry)) for i, e in enumerate(elements) if not e.on_ground]
     hanging = np.flatnonzero(abs(places[:, 2]) > SAME_PLACE_M)

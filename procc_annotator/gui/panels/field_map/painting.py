@@ -121,12 +121,8 @@ class MapView:
         self.zoom, self.shift = 1.0, QPointF()
 
     def wheel(self, turned: float, cursor: QPointF, centre: QPointF) -> None:
-        """Magnify; what is under the cursor stays there.
-
-        Args:
-            turned: eighths of a degree, forward is larger.
-            cursor, centre: the mouse, and the middle of the map's room, widget points.
-        """
+        """Magnify; what is under the cursor stays there. ``turned`` is in eighths of a degree,
+        forward is larger; the places are widget points, the centre is that of the map's room."""
         zoom = min(_LARGEST, max(1.0, self.zoom * _STEP**turned))
         offset = cursor - centre
         self.shift = offset - (offset - self.shift) * (zoom / self.zoom)
@@ -185,16 +181,10 @@ def ground_colour(palette: QPalette, share: float = 1.0) -> QColor:
 def part_to_show(
     shape: FieldShape, sight: VisibleFieldRegion, needed: Collection[str | None], room: QRectF
 ) -> Bounds | None:
-    """The part of the map to lay out; None: all of it.
+    """The part of the map to lay out in the room that it has of the widget; None: all of it.
 
     The half that is out of sight leaves its room to the other one, unless that would not be drawn
-    much larger.
-
-    Args:
-        shape: the field.
-        sight: what is seen of it.
-        needed: elements that must be seen, wherever they are.
-        room: what the map has of the widget.
+    much larger, or elements are needed there that must be seen, wherever they are.
     """
     if sight.half == 0:
         return None

@@ -33,13 +33,8 @@ _MARGIN = 10.0
 
 
 class PlotPicture:
-    """A page with its title, its legend and what is said of it, on anything that can be painted.
-
-    Args:
-        page: with something drawn.
-        legend: of the sources.
-        words: title and subtitle, and the notes below.
-    """
+    """A page, with something drawn, with its title, its legend (of the sources) and what is said of
+    it (title and subtitle, and the notes below), on anything that can be painted."""
 
     def __init__(self, page: PlotPage[Any], legend: Legend, words: tuple[str, str, str]) -> None:
         self._page, self._legend = page, legend

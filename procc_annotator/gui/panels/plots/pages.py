@@ -287,10 +287,7 @@ def _nothing(request: PlotRequest) -> str:
 
 def _sparse(values: FloatArray, number: int, span: tuple[float, float, float]) -> Any:
     """(m,) positions of a few values in view, evenly apart; other numbers get others in between.
-
-    Args:
-        values, span: as in `TimelinePage._draw_line`.
-    """
+    The span is that of `TimelinePage._draw_line`."""
     low, high, width = span
     step = max(1.0, _MARK_EVERY * (high - low) / max(width, 1.0))
     wanted = np.arange(0.0, len(values), step) + step * (number % 6) / 6

@@ -130,13 +130,8 @@ class Band:
 
 
 def band_pixels(band: Band, axis: Axis, size: tuple[int, int]) -> Pixels:
-    """The band as (height, width) 0xAARRGGBB, transparent where nothing is known.
-
-    Args:
-        band: of the whole sequence.
-        axis: in whatever px; its frames are spread over the width.
-        size: (width, height) px of the screen.
-    """
+    """The band of the whole sequence as (height, width) 0xAARRGGBB, transparent where nothing is
+    known. The frames of the axis, in whatever px, are spread over the width, screen px."""
     width, height = size
     edges = axis.begin + (axis.end - axis.begin) * np.arange(width + 1) / width
     begin = np.clip(np.floor(edges[:-1]).astype(np.intp) - axis.first, 0, len(band.lost) - 1)

@@ -40,13 +40,8 @@ class StripPainter:
     """Paints a strip: what stays the same from frame to frame, or what changes with the frame."""
 
     def __init__(self, metrics: QFontMetrics, axis: Axis, area: QRectF, colours: QPalette) -> None:
-        """
-        Args:
-            metrics: of the strip's font.
-            axis: which frames are in sight, along the area's width.
-            area: the strip without the room next to the frames.
-            colours: of the window.
-        """
+        """Paint the frames in sight along the width of an area: the strip without the room next to
+        the frames."""
         self._axis, self._area, self._colours = axis, area, colours
         self._line = metrics.height()
         self._marks = _TOP + self._line
@@ -62,13 +57,8 @@ class StripPainter:
     def paint_frames(
         self, painter: QPainter, content: StripContent, stretch: tuple[int, int] | None
     ) -> None:
-        """Paint all that stays the same from frame to frame.
-
-        Args:
-            painter: on something of the strip's size.
-            content: what is shown.
-            stretch: first and last number that a person marked.
-        """
+        """Paint all that stays the same from frame to frame, on something of the strip's size, with
+        the stretch (first and last number) that a person marked."""
         area, colours = self._area, self._colours
         painter.fillRect(painter.viewport(), colours.color(QPalette.ColorRole.Window))
         band = QRectF(0, self._band, area.width(), _BAND)

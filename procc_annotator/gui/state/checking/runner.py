@@ -47,7 +47,6 @@ class CheckRunner(QObject):
         """Nothing is checked yet.
 
         Args:
-            arrived: receives results.
             progressed: receives frames of the set checked, of how many; (0, 0): finished.
             finished: receives frames of the set checked, and checks with a finding from the set.
         """

@@ -175,7 +175,6 @@ def edit_frame(
     Args:
         change: given what the frame holds once the lock is taken; what it is to hold, or why it is
             to stay as it is.
-        label: of the step in its history.
         kind: how new points came to be.
 
     Returns:
@@ -234,12 +233,9 @@ def _put(
 
 
 def imported(incoming: FrameAnnotation, *, replacing: bool) -> Change:
-    """Return what an import makes of a frame.
+    """Return what an import makes of a frame; also of one that is annotated if ``replacing``.
 
     Unconfirmed elements of other classes stay, and so do further entries of the file.
-
-    Args:
-        replacing: also in a frame that is annotated.
     """
 
     def change(before: FrameAnnotation) -> FrameAnnotation | str:

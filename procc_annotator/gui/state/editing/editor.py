@@ -130,14 +130,8 @@ class Editing(QObject):
         kind: OriginKind = OriginKind.CLICKED,
     ) -> bool:
         """Take the frame, then change what it holds by then: another window may have saved it since
-        it was read here.
-
-        Args:
-            label: of the step in the history.
-            change: given the newest annotation; raises `UsageError` (which is reported) where the
-                edit makes no sense any more.
-            kind: how new points came to be.
-        """
+        it was read here. A `UsageError` of ``change`` is reported: the edit makes no sense any
+        more."""
         if not self.begin_edit():
             return False
         try:

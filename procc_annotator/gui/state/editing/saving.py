@@ -228,12 +228,8 @@ class Saver(QObject):
         return all(results)
 
     def save_together(self, indices: Iterable[int], done: Callable[[], None]) -> None:
-        """Write frames with unsaved changes in the background, several at a time.
-
-        Args:
-            indices: the frames.
-            done: called once each is on disk or its `problems` say why it is not.
-        """
+        """Write frames with unsaved changes in the background, several at a time; ``done`` is
+        called once each is on disk or its `problems` say why it is not."""
         self.settle()
         self._write(indices, done)
 

@@ -70,12 +70,7 @@ def read_for_dataset(
     path: Path, shown: Field, settings: Mapping[str, str]
 ) -> tuple[Field | None, str]:
     """The field of a file with the dataset's dimensions as far as it still has them, its lines
-    where the dataset has them; or why not.
-
-    Args:
-        shown: its dimensions stay if it is of the same file.
-        settings: of the dataset.
-    """
+    where the dataset has them; or why not. Dimensions shown stay if they are of the same file."""
     try:
         nominal = load_field(path)
         own = field_settings(settings, nominal)
@@ -176,12 +171,8 @@ class FieldChoice(QObject):
         return replace(shown, field=replace(shown.field, pixels=pixels))
 
     def choose(self, source: str | Path) -> None:
-        """Show another field from now on, and let the dataset remember it; reported where it cannot
-        be used.
-
-        Args:
-            source: a shipped field's name, or a file.
-        """
+        """Show another field, a shipped one by name or one in a file, from now on, and let the
+        dataset remember it; reported where it cannot be used."""
         if not self._may_choose(Path(source)):
             return
         before = self._store.state.field  # the clicks are the same, whatever field they are on

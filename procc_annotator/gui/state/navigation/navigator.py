@@ -183,10 +183,7 @@ class Navigator(QObject):
 
     def _look_at(self, path: Path) -> dict[str, object]:
         """The picture; where that is to be decoded, a large one is examined in half its size first.
-
-        Raises:
-            ImageError: it is not a readable picture.
-        """
+        `ImageError` if it is not a readable picture."""
         half = decode_half_size(path) if self._cache.peek(path) is None else None
         if half is None:
             return {"picture": self._cache.get(path)}
@@ -255,11 +252,7 @@ class Opening(QObject):
     def reopener(self) -> Callable[[], Workspace]:
         """Return what opens the dataset as it is on disk, in a thread of its own: this dataset with
         this field, whatever is shown by then. It raises `ProccError` if that cannot be opened any
-        more.
-
-        Raises:
-            UsageError: nothing is open.
-        """
+        more; this raises `UsageError` if nothing is open."""
         workspace, field = self._store.state.workspace, self._store.state.field
         if workspace is None:
             raise UsageError(tr("nothing is open"))

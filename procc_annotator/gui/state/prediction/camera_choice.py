@@ -270,12 +270,8 @@ _KEPT = 8
 def choose_camera(
     corrected: CameraCorrection | None, tracked: TrackedFrame | None, proposal: Proposal | None
 ) -> tuple[FitResult | None, str]:
-    """Choose the camera to predict with: the one dragged by hand, else that of the track, else the
-    proposed one.
-
-    Returns:
-        The camera, None if there is none, and why it should be checked first; empty if it is sure.
-    """
+    """Choose the camera to predict with, the one dragged by hand, else that of the track, else the
+    proposed one, if there is any; and say why it should be checked first, empty if it is sure."""
     if corrected is not None:
         return corrected.fit, corrected.why_not
     if tracked is not None and tracked.fit is not None and tracked.fit.camera is not None:

@@ -232,11 +232,8 @@ class ShotTrack(QObject):
         self.changed.emit()
 
     def take(self, track: Track, *, is_shot: bool = False) -> None:
-        """Frames were followed to their end: what was known of them before goes.
-
-        Args:
-            is_shot: whether they end where another camera's picture begins.
-        """
+        """Frames were followed to their end, which is that of the shot if ``is_shot``: what was
+        known of them before goes."""
         if not track.frames:
             return
         first, last = track.frames[0].number, track.frames[-1].number

@@ -56,12 +56,8 @@ class EvaluationSettings(QObject):
         self._store.update(noise_floor=floor)
 
     def set_sized_field(self, field: Field, *, keep: bool = True) -> None:
-        """Give the field other dimensions, or lines elsewhere; all that is shown and judged goes by
-        them.
-
-        Args:
-            field: the one that is shown, `resized`.
-            keep: whether the dataset keeps its dimensions and where its lines are.
+        """Give the field, as it is shown, other dimensions, or lines elsewhere, which the dataset
+        may ``keep``; all that is shown and judged goes by them.
 
         Raises:
             FieldError: a landmark has the name of one of the field's classes.
@@ -73,12 +69,9 @@ class EvaluationSettings(QObject):
         self.take_field(field)
 
     def set_field(self, field: Field, *, keep: bool = True) -> None:
-        """Show, judge and fit by another field; annotations, their histories and what is not saved
-        yet stay, as do the dataset's landmarks.
-
-        Args:
-            field: of any sport; classes that it does not know stay in sight.
-            keep: whether the dataset remembers it.
+        """Show, judge and fit by another field of any sport, which the dataset may ``keep``;
+        annotations, their histories and what is not saved yet stay, as do the dataset's landmarks.
+        Classes that it does not know stay in sight.
 
         Raises:
             FieldError: a landmark has the name of one of the field's classes.
@@ -184,10 +177,7 @@ class CameraSourceCommands(QObject):
         changed: Collection[str] | None = None,
     ) -> CameraSource:
         """Add cameras that were opened already; the same ones loaded before are replaced.
-
-        Args:
-            changed: frames whose cameras are others than those loaded before; None: all.
-        """
+        ``changed``: frames whose cameras are others than those (None: all)."""
         sources = list(self._store.state.sources)
         source = next((s for s in sources if same_files(s.files, cameras)), None)
         if source is not None:

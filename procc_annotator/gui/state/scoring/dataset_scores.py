@@ -301,11 +301,8 @@ class DatasetScoring(QObject):
         self, source: CameraSource, frame: str, shown: SourceFrame, measurement: Measurement | None,
         tau: float, fitted: FitCounts = NOT_FITTED,
     ) -> None:  # fmt: skip
-        """Take over how a source does in the frame on screen after an edit.
-
-        Args:
-            fitted: whether its camera was fitted to these very clicks.
-        """
+        """Take over how a source does in the frame on screen after an edit; ``fitted``: whether its
+        camera was fitted to these very clicks."""
         self._touched.add((source, frame))
         known, problem = frame in source.audits, source.problems.get(frame, "")
         audit = None
@@ -323,13 +320,8 @@ class DatasetScoring(QObject):
         setup: EvaluationSetup,
         tau: float,
     ) -> None:
-        """Audit one frame after an edit with some sources, in the background.
-
-        Args:
-            frame: its name.
-            annotation: what is in it now; None if it belongs to no figure of the set.
-            shown: what the sources show of it, as far as known.
-        """
+        """Audit one frame after an edit with some sources, in the background. Without an annotation
+        it belongs to no figure of the set; what the sources show of it is given as far as known."""
         self._touched.update((source, frame) for source, _ in shown)
         if (earlier := self._frame_work.pop(frame, None)) is not None:
             earlier.cancel()

@@ -137,13 +137,8 @@ class SourceFrames(QObject):
     def show(
         self, sources: Sequence[CameraSource], frame: str | None, beside: Iterable[str] = ()
     ) -> None:
-        """Another frame is on screen, or there are other sources.
-
-        Args:
-            sources: all of them.
-            frame: on screen.
-            beside: likely to be on screen next; looked up afterwards.
-        """
+        """Another frame is on screen, or there are other sources; frames ``beside`` are likely to
+        be on screen next, and looked up afterwards."""
         self._frame = frame
         self._kept = max(_FEWEST, 4 * len(sources))
         while len(self._known) > self._kept:
