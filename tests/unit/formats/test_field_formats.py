@@ -284,6 +284,22 @@ def test_a_distortion_from_picture_to_scene_is_inverted(tmp_path):
     assert off_px.max() < 0.01
 
 
+@pytest.mark.parametrize(
+    ("model", "radial", "problem"),
+    [
+        ("D-U", [0.05], "moves the corner"), ("U-D", [0.05, 0, -0.02], "moves the corner"),
+        ("U-D", [-0.05], "moves the corner"), ("D-U", [0.06, 0, -0.0011], "the closest lens differs"),
+    ],
+)  # fmt: skip
+def test_a_distortion_in_other_units_is_refused(model, radial, problem, tmp_path):
+    sample = otio(f"Brown-Conrady {model}")
+    sample["lens"]["distortion"][0]["radial"] = radial
+    (file := tmp_path / "c.json").write_text(json.dumps(sample))
+    expected = f"{problem}.*by powers of mm"
+    with CameraCollection.open(file) as cameras, pytest.raises(CameraError, match=expected):
+        cameras.read("c")
+
+
 def test_hints_about_a_world_are_those_of_every_format(tmp_path):
     up = np.column_stack((R @ UP, T))
     for name, data, expected in (
