@@ -325,6 +325,8 @@ def test_hints_about_a_world_are_those_of_every_format(tmp_path):
         ("a.xml", b'<document version="2.0.0">\n<chunk id="0">', "Metashape.*COLMAP"),
         ("a.json", b'{"sfm_data_version": "0.3", "views": []}', "OpenMVG.*COLMAP"),
         ("a.toml", b"a = [", "is no TOML"),
+        ("a.yaml", b"image_width: 9\ndistortion_model: plumb_bob\n", "ROS or Kalibr.*add R and tvec"),
+        ("a.yaml", b"D: [0]\ndistortion_model: plumb_bob\n---\n", "ROS or Kalibr.*add R and tvec"),
     ],
 )
 def test_what_is_not_read_is_named_with_the_way_out(name, data, expected, tmp_path):
