@@ -16,7 +16,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.registry import PLAIN, detect_formats
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.annotations.soccernet_set import WITHOUT_GEOMETRY
-from procc_annotator.formats.cameras.registry import detected_title, suffixes_of
+from procc_annotator.formats.cameras.registry import ALONE_SUFFIXES, detected_title, suffixes_of
 from procc_annotator.formats.file_listing import CAMERA_PREFIX, list_annotations
 from procc_annotator.formats.file_source import FileSource, open_source, suffix_of
 from procc_annotator.formats.unread_formats import unread_format
@@ -114,7 +114,8 @@ def found_instead_of_cameras(place: Path) -> str:
         return unread
     if any(suffix_of(name) in suffixes_of() for name in files):
         return ""
-    return f"; cameras are looked for in files of {', '.join(sorted(suffixes_of()))}"
+    suffixes = ", ".join(sorted(suffixes_of() | ALONE_SUFFIXES))
+    return f"; cameras are looked for in files of {suffixes}"
 
 
 def _camera_title(source: FileSource, name: str) -> str:

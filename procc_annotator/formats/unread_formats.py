@@ -57,6 +57,7 @@ UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
        (".kva",), (b"<KinoveaVideoAnalysis",)),
     _U("tracking data (TRACAB, EPTS)", "it has positions of players, no camera",
        (), (b"<TracabMetaData", b"<TracabData", b"<ManagedObjects", b"<EPTS")),
+    _U("Nuke", "import it in Blender and write the cameras as transforms.json", (".chan",)),
     _U("Vicon, OptiTrack or Theia", "convert it with Pose2Sim to Calib.toml",
        (".xcp", ".cal", ".mcal"), (b"VICON_RADIAL", b"<OptitrackCalibration")),
     _U("ROS or Kalibr", "it has a lens without a place: add R and tvec as"

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.annotation import Point
-from procc_annotator.errors import AnnotationError
+from procc_annotator.errors import AnnotationError, InputError
 from procc_annotator.field.sampling import sample_evenly
 from procc_annotator.formats.annotations.exchange import (
     ExchangedFrame,
@@ -47,6 +47,8 @@ _SPACING_M = 0.05
 _PLACE = re.compile(r"\(\s*(-?\d+(?:\.\d+)?)\s*,\s*(-?\d+(?:\.\d+)?)\s*\)", re.ASCII)
 _UPLOADED = re.compile(r".*/upload/.*?/?[0-9a-f]{8}-(?=.)|.*\?d=")  # how Label Studio names files
 _MOST_SNIFFED = 20
+_SKIPPED = ("was_cancelled", "performance_details.skipped")
+_AUTHORS = ("completed_by.email", "completed_by", "label_details.created_by")
 _VIA_HEADER = b"filename,file_size,file_attributes,region_count,region_id"
 _VIA_REGION = ("region_shape_attributes", "region_attributes")
 
@@ -61,7 +63,9 @@ class Tool:
         marks: sets of places; a file is of this tool if it has all of one set.
         pictures: the places of the pictures; all others are relative to a picture or a shape.
         picture, width, height: its name and size, the first place that holds one.
-        shapes: of its shapes, the first place that holds any.
+        annotations: of its lists of annotations; of each list the first one that was not skipped
+            counts. Empty where a picture has one annotation.
+        shapes: of the shapes of an annotation, the first place that holds any.
         kind, label, points: of a shape; points are pairs, numbers, or objects of x and y.
         names: of the file, what labels that are numbers stand for.
         unit: 1 for pixels, 100 for percent of the picture, 0 for shares of it.
@@ -85,6 +89,7 @@ class Tool:
     unit: float = 1
     usual: Size | None = None
     template: str = ""
+    annotations: str = ""
 
     def sniff(self, content: Any) -> bool:
         """Return whether decoded content is of this tool."""
@@ -96,15 +101,46 @@ class Tool:
         self, data: bytes, path: str, reading: ReadContext
     ) -> tuple[Sequence[Any], Sequence[FrameReader]]:
         """Every picture that has a shape; see `FramesOf`."""
-        own, content = reading.at.rpartition("/")[2], decode_lines(data, path)
+        own, content = reading.at.rpartition("/")[2], decode_lines(data, path, reading.note)
         names = _all(content, self.names) if self.names else []
         pictures = _placed(content, self.pictures)
+        held = [self._shapes(one, place) for place, one in pictures]
+        if held and not any(shapes for shapes, _ in held):
+            problem = f"holds {pluralize(len(held), 'picture')}, no annotation"
+            problem += " but skipped ones" if any(remarks for _, remarks in held) else ""
+            raise AnnotationError(path, problem, advice="export it when it is annotated")
         called = [self._picture(one) or own for _, one in pictures]
         readers = [
-            partial(self._read, one, picture, names, path, place, reading)
-            for (place, one), picture in zip(pictures, called, strict=True)
+            partial(self._read, one, *shapes, picture, names, path, place, reading)
+            for (place, one), shapes, picture in zip(pictures, held, called, strict=True)
         ]
         return called, readers
+
+    def _shapes(self, one: Any, place: str) -> tuple[list[tuple[str, Any]], list[str]]:
+        """Return (place, shape) of those that count, and remarks on what is left out."""
+        lists = _all(one, self.annotations) if self.annotations else []
+        shapes, remarks = [] if lists else self._shapes_of(one, place), list[str]()
+        where = f"{place}.{self.annotations.replace('.*', '[]')}"
+        for several in lists:
+            taken = False
+            for i, each in enumerate(several if type(several) is list else ()):
+                if not (found := self._shapes_of(each, f"{where}[{i}]")):
+                    continue
+                author = _first(each, _AUTHORS)
+                by = f" (by {printable(str(author))})" if author is not None else ""
+                if _first(each, _SKIPPED) is True:
+                    remarks.append(f"annotations that were skipped are left out{by}")
+                elif taken:
+                    remarks.append(f"further annotations of a picture are left out{by}")
+                else:
+                    shapes, taken = shapes + found, True
+        return shapes, remarks
+
+    def _shapes_of(self, annotation: Any, place: str) -> list[tuple[str, Any]]:
+        return [
+            (f"{place}.{at}", shape) for at, shape in _placed(annotation, self.shapes)
+            if type(shape) is dict or not self.label
+        ]  # fmt: skip
 
     def _picture(self, one: Any) -> str:
         texts = [v for way in self.picture for v in _all(one, way) if type(v) is str and v]
@@ -112,13 +148,12 @@ class Tool:
         return _UPLOADED.sub("", [*pictures, *texts, ""][0])
 
     def _read(
-        self, one: Any, picture: str, names: list[Any], path: str, place: str, reading: ReadContext
-    ) -> ExchangedFrame | None:
+        self, one: Any, shapes: list[tuple[str, Any]], remarks: list[str], picture: str,
+        names: list[Any], path: str, place: str, reading: ReadContext,
+    ) -> ExchangedFrame | None:  # fmt: skip
         frame = reading.frame_of_picture(picture, path, place)
-        shapes = [
-            (f"{place}.{at}", shape) for at, shape in _placed(one, self.shapes)
-            if type(shape) is dict or not self.label
-        ]  # fmt: skip
+        for remark in remarks:
+            reading.remarks.add(remark, frame)
         if not shapes:
             return None
         sides = _first(one, self.width), _first(one, self.height)
@@ -148,6 +183,12 @@ class Tool:
             return False
         if points is None:
             return False
+        if rotation := _first(shape, ("image_rotation",)):
+            problem = f"points of a picture rotated by {printable(str(rotation))} degrees"
+            advice = "rotate it back in the tool, or rotate its file and annotate that"
+            raise pieces.error(problem, f"{place}.image_rotation", advice)
+        if any(type(p) is dict and p.get("isBezier") for p in points if type(points) is list):
+            pieces.remark("Bezier curves are taken for straight lines between their vertices")
         label = _first(shape, self.label)
         if type(label) is int and 0 <= label < len(names):
             label = names[label]
@@ -262,8 +303,11 @@ def _runs(points: Any) -> list[list[Any]]:
     return [run if type(run) is list else [run] for run in points] if nested else [points]
 
 
-def decode_lines(data: bytes, path: str) -> Any:
+def decode_lines(data: bytes, path: str, note: Callable[[InputError], None]) -> Any:
     """Decoded JSON; a list of the lines of a file with one value a line; VIA's CSV as its JSON.
+
+    Args:
+        data: the file. path: for messages. note: called for each damaged line of several.
 
     Raises:
         AnnotationError: damaged.
@@ -271,9 +315,16 @@ def decode_lines(data: bytes, path: str) -> Any:
     text = data.lstrip(b"\xef\xbb\xbf \t\r\n")
     if text.replace(b", ", b",", 4).startswith(_VIA_HEADER):
         return _via_csv(text, path)
-    lines = [(n, line) for n, line in enumerate(data.splitlines(), 1) if line.strip()]
-    if len(lines) > 1 and all(x[:1] + x.rstrip()[-1:] == b"{}" for _, x in lines):
-        return [decode_strict(x, path=f"{path}: line {n}", error=AnnotationError) for n, x in lines]
+    lines = [(n, line.strip()) for n, line in enumerate(text.split(b"\n"), 1) if line.strip()]
+    whole = sum(line[:1] + line[-1:] == b"{}" for _, line in lines)
+    if text[:1] != b"[" and len(lines) > 1 and 2 * whole >= len(lines):
+        found = []
+        for n, line in lines:
+            try:
+                found.append(decode_strict(line, path=f"{path}: line {n}", error=AnnotationError))
+            except AnnotationError as error:
+                note(error)
+        return found
     content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
     return [content] if type(content) is dict and "data_row" in content else content
 
@@ -302,14 +353,15 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         "label-studio", "Label Studio JSON", "project-1.json",
-        (("*.annotations.*.result", "*.data"), ("*.*.*.original_width",)), ("*",),
+        (("*.annotations", "*.data"), ("*.*.*.original_width",)), ("*",),
         ("data.image", "data.img", "image", "img", "data.*"),
-        ("annotations.0.result.*", "annotations.1.result.*", "*.*"),
+        ("result.*", "*.*"),
         ("value.keypointlabels.0", "value.vectorlabels.0", "value.polygonlabels.0",
          "value.labels.0", "keypointlabels.0", "vectorlabels.0", "polygonlabels.0", "from_name"),
         ("value.vertices", "vertices", "value.points", "points", "value", ""), "type",
         ("annotations.*.result.*.original_width", "*.*.original_width"),
         ("annotations.*.result.*.original_height", "*.*.original_height"), unit=100,
+        annotations="annotations",
     ),
     Tool(
         "via", "VGG Image Annotator (VIA) 2, JSON or CSV", "via_project.json",
@@ -322,8 +374,9 @@ TOOLS: tuple[Tool, ...] = (
         "labelbox", "Labelbox NDJSON", "export.ndjson",
         (("data_row", "projects"), ("*.data_row", "*.projects")), ("*",),
         ("data_row.external_id", "data_row.global_key", "data_row.id"),
-        ("projects.*.labels.0.annotations.objects.*",), ("name",), ("line", "polygon", "point"),
+        ("annotations.objects.*",), ("name",), ("line", "polygon", "point"),
         "", ("media_attributes.width",), ("media_attributes.height",),
+        annotations="projects.*.labels",
     ),
     Tool(
         "fiftyone", "FiftyOne dataset", "samples.json",

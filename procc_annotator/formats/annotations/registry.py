@@ -49,6 +49,7 @@ Writer = Callable[[Iterable[ExchangedFrame], WriteContext], None]
 Classes = Literal["any", "leaning", "soccernet"]
 # Of a folder of thousands of files so many are looked into.
 _LOOKED_INTO = 20
+LINE_SUFFIXES = (".ndjson", ".jsonl")  # of files with one JSON value a line
 
 
 @dataclass(frozen=True)
@@ -263,7 +264,8 @@ def _one_format(source: FileSource) -> AnnotationFormat:
     if not files:
         raise UsageError(f"nothing to do: no annotation in {source.path}")
     # All of them are damaged: the reader says how.
-    return format_named("cvat" if _is_xml(files[0]) else "soccernet")
+    lines = files[0].lower().endswith(LINE_SUFFIXES)
+    return format_named("cvat" if _is_xml(files[0]) else "labelbox" if lines else "soccernet")
 
 
 def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
@@ -293,7 +295,7 @@ def _decoded(data: bytes) -> Any:
     except (ValueError, RecursionError):
         pass
     try:  # one value a line, or a table
-        return decode_lines(data, "")
+        return decode_lines(data, "", lambda _: None)
     except InputError:
         return None
 
@@ -320,7 +322,7 @@ def _files(source: FileSource) -> list[str]:
 
 
 def _may_be_annotations(name: str) -> bool:
-    is_json = name.lower().endswith((".json", ".ndjson", ".jsonl"))
+    is_json = name.lower().endswith((".json", *LINE_SUFFIXES))
     return _is_xml(name) or (is_json and may_be_annotation(name))
 
 

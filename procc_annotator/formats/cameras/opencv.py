@@ -23,6 +23,7 @@ from procc_annotator.formats.cameras.json_values import (
 from procc_annotator.formats.cameras.krt import KRT_KEYS, camera_of_matrices, krt_content
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.strict_json import utf8_text
+from procc_annotator.formats.unread_formats import unread_format
 
 KIND = "an OpenCV calibration"
 # Of OpenCV's calibration sample: the poses of its boards.
@@ -41,8 +42,13 @@ def read_opencv(data: bytes, *, path: str) -> LoadedCamera:
     Raises:
         CameraError: names the key and what was expected.
     """
-    content = _content(data, path)
-    return camera_of_matrices(JsonValues(content, path, kind=KIND), KRT_KEYS)
+    try:
+        content = _content(data, path)
+        return camera_of_matrices(JsonValues(content, path, kind=KIND), KRT_KEYS)
+    except CameraError as error:
+        if (unread := unread_format(path, data)) is None:
+            raise
+        raise CameraError(path, unread.problem, advice=unread.advice) from error
 
 
 def is_storage(content: object) -> bool:

@@ -28,6 +28,10 @@ from procc_annotator.formats.strict_json import finite_number
 from procc_annotator.messages import pluralize
 
 _EXACT_PX = 0.01  # what a lens that is fitted may differ by without a word
+# RMS in widths of the picture, beyond which it is another lens: 19 px of 1920, no camera to judge.
+_NO_LENS = 0.01
+_FURTHEST = 2.0  # times its distance from the axis a lens of 134 degrees moves the picture's corner
+_UNIT = "give radial coefficients by powers of mm on the sensor, not of the focal length"
 # SynLoc counts x across the field and y along it; here x runs along it and y to the main camera.
 _ACROSS = KrtKeys(
     axes=np.array([[0.0, -1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, -1.0]]), kind="a SynLoc camera"
@@ -73,14 +77,17 @@ def _synloc_camera(content: Any, path: str, inside: str) -> LoadedCamera:
     loaded = krt_from(own, path, inside, _ACROSS)
     # The other polynomial is the inverse of the first.
     notices = values.unused(_MATRIX, _POLY, "undist_poly")
-    return with_notices(loaded, (*_fitted(off * width, _POLY), *notices))
+    return with_notices(loaded, (*_fitted(off * width, width, values, _POLY), *notices))
 
 
-def _fitted(off_px: FloatArray, what: str) -> tuple[str, ...]:
+def _fitted(
+    off_px: FloatArray, width: float, values: JsonValues, key: str, advice: str = "correct it"
+) -> tuple[str, ...]:
     rms, most = float(np.sqrt(np.mean(off_px**2))), float(np.abs(off_px).max())
-    if most <= _EXACT_PX:
-        return ()
-    return (f"{what}: the closest lens differs by {rms:.2g} px (RMS), {most:.2g} px at most",)
+    off = f"the closest lens differs by {rms:.2g} px (RMS), {most:.2g} px at most"
+    if not rms <= _NO_LENS * width:
+        raise values.error(off, key, advice)
+    return (f"{key}: {off}",) if most > _EXACT_PX else ()
 
 
 _OTIO = KrtKeys(axes=HALF_TURN, kind="an OpenTrackIO sample")
@@ -136,7 +143,7 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
     focal_mm = lens.focal("pinholeFocalLength")
     fx, fy = (focal_mm * np.array(size) / mm).tolist()
     cx, cy = (np.array(size) / 2 + offset * size / mm).tolist()
-    distortion, notices = _brown_conrady(lens, focal_mm, float(np.hypot(*mm) / 2), fx)
+    distortion, notices = _brown_conrady(lens, focal_mm, float(np.hypot(*mm) / 2), fx, size[0])
     # Each transform is relative to the one before it: camera -> stage.
     rotation, position = np.eye(3), np.zeros(3)
     transforms = sample.content.get("transforms")
@@ -160,7 +167,7 @@ def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
 
 
 def _brown_conrady(
-    lens: JsonValues, focal_mm: float, corner_mm: float, focal_px: float
+    lens: JsonValues, focal_mm: float, corner_mm: float, focal_px: float, width: int
 ) -> tuple[list[float], tuple[str, ...]]:
     """OpenCV's distortion of the first model of a lens, and remarks.
 
@@ -179,16 +186,22 @@ def _brown_conrady(
     radial = np.array([*given, *[0.0] * (6 - len(given))])
     radial *= focal_mm ** np.array([2.0, 2, 4, 4, 6, 6])
     p1, p2 = (np.array([*more, 0.0, 0.0])[:2] * focal_mm**2).tolist()
+    up, down, corner = radial[::2], radial[1::2], corner_mm / focal_mm
+    at = corner ** np.array([2, 4, 6])
+    moved = float((1 + up @ at) / (1 + down @ at))
+    if not 1 / _FURTHEST < moved < _FURTHEST:
+        what = f"moves the corner of the picture to {moved:.3g} times its distance from the axis"
+        raise own.error(what, "radial", _UNIT)
     if model == _MODELS[1]:
         n1, d1, n2, d2, n3, d3 = radial.tolist()
         return [n1, n2, p1, p2, n3, d1, d2, d3], ()
     try:
-        k, off = distortion_of_inverse(radial[::2], radial[1::2], corner_mm / focal_mm)
+        k, off = distortion_of_inverse(up, down, corner)
     except ValueError as error:
         raise own.error(str(error), "radial") from error
     k1, k2, k3 = k.tolist()
     # To the first order the inverse of a tangential distortion is its negative.
-    return [k1, k2, -p1, -p2, k3], _fitted(off * focal_px, "distortion from picture to scene")
+    return [k1, k2, -p1, -p2, k3], _fitted(off * focal_px, width, own, "radial", _UNIT)
 
 
 _MODELS = ("Brown-Conrady D-U", "Brown-Conrady U-D")  # from picture to scene, and back

@@ -284,6 +284,22 @@ def test_a_distortion_from_picture_to_scene_is_inverted(tmp_path):
     assert off_px.max() < 0.01
 
 
+@pytest.mark.parametrize(
+    ("model", "radial", "problem"),
+    [
+        ("D-U", [0.05], "moves the corner"), ("U-D", [0.05, 0, -0.02], "moves the corner"),
+        ("U-D", [-0.05], "moves the corner"), ("D-U", [0.06, 0, -0.0011], "the closest lens differs"),
+    ],
+)  # fmt: skip
+def test_a_distortion_in_other_units_is_refused(model, radial, problem, tmp_path):
+    sample = otio(f"Brown-Conrady {model}")
+    sample["lens"]["distortion"][0]["radial"] = radial
+    (file := tmp_path / "c.json").write_text(json.dumps(sample))
+    expected = f"{problem}.*by powers of mm"
+    with CameraCollection.open(file) as cameras, pytest.raises(CameraError, match=expected):
+        cameras.read("c")
+
+
 def test_hints_about_a_world_are_those_of_every_format(tmp_path):
     up = np.column_stack((R @ UP, T))
     for name, data, expected in (
@@ -309,6 +325,8 @@ def test_hints_about_a_world_are_those_of_every_format(tmp_path):
         ("a.xml", b'<document version="2.0.0">\n<chunk id="0">', "Metashape.*COLMAP"),
         ("a.json", b'{"sfm_data_version": "0.3", "views": []}', "OpenMVG.*COLMAP"),
         ("a.toml", b"a = [", "is no TOML"),
+        ("a.yaml", b"image_width: 9\ndistortion_model: plumb_bob\n", "ROS or Kalibr.*add R and tvec"),
+        ("a.yaml", b"D: [0]\ndistortion_model: plumb_bob\n---\n", "ROS or Kalibr.*add R and tvec"),
     ],
 )
 def test_what_is_not_read_is_named_with_the_way_out(name, data, expected, tmp_path):

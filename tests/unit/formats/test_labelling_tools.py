@@ -169,3 +169,45 @@ def test_coco_without_lines_says_what_to_export(tmp_path):
     }  # fmt: skip
     _, found = read(tmp_path / "coco.json", content)
     assert "holds 1 picture, no annotation (CVAT writes no polylines" in found.problems[0]
+
+
+def line(**more: Any) -> dict[str, Any]:
+    vertices = [{"x": x, "y": 20, "isBezier": x == more.get("bezier")} for x in (10, 50)]
+    value = {"vertices": vertices, "vectorlabels": ["Middle line"]}
+    sides = {"original_width": W, "original_height": H}
+    return {"type": "vectorlabels", "value": value} | sides | more
+
+
+def task(*annotations: Any) -> list[Any]:
+    other = {"data": {"image": "8.jpg"}, "annotations": [{"result": [line()]}]}
+    return [{"data": {"image": "7.jpg"}, "annotations": list(annotations)}, other]
+
+
+ROW = json.dumps(LABELBOX | {"data_row": {"external_id": "8.jpg"}})
+LABELS = LABELBOX["projects"]["p"]["labels"]
+TWO = LABELBOX | {"projects": {"p": {"labels": [
+    *LABELS, LABELS[0] | {"label_details": {"created_by": "b@club"}},
+]}}}  # fmt: skip
+SKIPPED = {"result": [line()], "was_cancelled": True, "completed_by": 3}
+
+
+@pytest.mark.parametrize(
+    ("content", "frames", "said"),
+    [
+        (task(SKIPPED), "8", "annotations that were skipped are left out (by 3) (1 frame: 7)"),
+        (task({"result": [line()]}, {"result": [line()], "completed_by": {"email": "b@club"}}),
+         "78", "further annotations of a picture are left out (by b@club) (1 frame: 7)"),
+        (task({"result": [line(bezier=50)]}), "78", "Bezier curves are taken for straight lines"),
+        (task({"result": [line(image_rotation=90)]}), "8", "a picture rotated by 90 degrees"),
+        (task(SKIPPED)[:1], "", "holds 1 picture, no annotation but skipped ones"),
+        (task()[:1], "", "holds 1 picture, no annotation (export it when it is annotated)"),
+        (f"{json.dumps(TWO)}\n{ROW}", "78", "a picture are left out (by b@club) (1 frame: 7)"),
+        (f"{ROW}\n{ROW[:99]}", "8", "x.ndjson: line 2: line 1 column "),
+        (f"{ROW[9:]}\r\n\r\n{ROW}\r\n", "8", "x.ndjson: line 1: line 1 column "),
+        (ROW[:99], "", "x.ndjson: line 1 column "),
+    ],
+)  # fmt: skip
+def test_nothing_is_dropped_without_a_word(content, frames, said, tmp_path):
+    _, found = read(tmp_path / "x.ndjson", content)
+    assert "".join(sorted(found.frames)) == frames
+    assert said in " ".join((*found.losses, *found.problems))
