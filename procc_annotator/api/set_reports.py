@@ -35,6 +35,7 @@ from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import file_of_frame
 from procc_annotator.interaction.palette import SOURCE_COLOURS
+from procc_annotator.messages import condensed
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
 from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import compare_annotators as agreement_of
@@ -162,6 +163,14 @@ def _require_methods(methods: object) -> None:
         raise UsageError("there is no method to evaluate")
 
 
+def _warn_of(notices: Mapping[str, Mapping[str, int]]) -> None:
+    """Warn of the remarks on each method."""
+    for name, of_method in notices.items():
+        for notice, count in condensed(of_method).items():
+            cameras = f" ({count} cameras)" if count > 1 else ""
+            warnings.warn(f"{name}: {notice}{cameras}", stacklevel=3)
+
+
 def _pairs(given: Sequence[Any]) -> tuple[tuple[str, str], ...]:
     """Pairs of names; a single pair is one."""
     pairs = [given] if len(given) == 2 and all(isinstance(name, str) for name in given) else given
@@ -228,6 +237,7 @@ def write_report(
         painters = report.ReportPainters(
             PlainPictures(".jpg", look), DisagreementPainter(".jpg"), SOURCE_COLOURS
         )
+        _warn_of({source.name: source.notices for source in gathered.sources})
         drawn = painters if "html" in kinds else None
         problems = report.write_report(gathered, material, request, drawn, files, work)
         return tuple(dict.fromkeys([*gathered.failures(), *problems]))
@@ -273,9 +283,10 @@ def compare_methods(
     with _opened(annotations, methods, options) as one:
         file, unwritten = one.folder / "scores.json", dict[Path, ProccError]()
         run = Evaluations(one.requests, chosen, [file], named=True, settings=settings)
-        run.score(one.executor, lambda steps, *_: iter(steps), unwritten)
+        scored = run.score(one.executor, lambda steps, *_: iter(steps), unwritten)
         for error in unwritten.values():
             raise error
+        _warn_of({s.method: s.notices for s in scored})
         steady = one.over_time(chosen[0]) if over_time else []
         return _content(file) | ({"over_time": over_time_entries(steady)} if steady else {})
 

@@ -126,7 +126,7 @@ def test_wrong_arguments_are_one_error_each(given, tmp_path):
 
 def test_a_wrong_size_and_a_world_with_z_up_are_named(given):
     annotations, methods = given
-    with pytest.warns(UserWarning, match="JaC is 0 in every frame .* belong to 1920x1080"):
+    with pytest.warns(UserWarning, match="no element passes.* evaluated at 1920x1080"):
         evaluate_set(
             annotations, {n: c.camera for n, c in methods["values"].items()}, size=(1920, 1080)
         )
