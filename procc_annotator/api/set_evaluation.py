@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -34,6 +35,7 @@ from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.messages import condensed, pluralize
 from procc_annotator.metrics.score import FrameScore
 from procc_annotator.metrics.sets import SetAccumulator, SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
@@ -192,9 +194,6 @@ class SetScore:
         return found
 
 
-_FAR = 0.05  # of the picture's width: by which points are off under cameras of another size
-
-
 def _certainty(
     sources: Sequence[SourceSums],
     cluster: Clustering,
@@ -291,23 +290,20 @@ def evaluate_set(
             what += f" (annotations are named like {inputs[0].name!r}, cameras like {theirs!r})"
         raise UsageError(f"nothing to score: {what}")
     total, sums = Tally(SetAccumulator(setup, chosen)), list[FrameSums | None]()
-    scores: dict[str, Mapping[float, FrameScore]] = {}
+    scores, notices = dict[str, Mapping[float, FrameScore]](), Counter[str]()
     for start in range(0, len(inputs), CHUNK):  # as `evaluate` adds, to the last digit
         part = Tally(SetAccumulator(setup, chosen))
         for evaluated in score_frames(inputs[start : start + CHUNK], part):
             scores[evaluated.result.name] = evaluated.result.scores
+            notices.update(evaluated.result.notices)
             sums.append(frame_sums(evaluated, chosen))
         total.merge(part)
-    summaries, lines = total.sums.summary(), [*total.notes.lines(), *position_remarks(judged)]
-    off = summaries[max(chosen)].mean_error or 0
-    far = summaries[max(chosen)].mean_jac == 0 and off > _FAR * setup.size[0]
-    if far and not total.notes.in_pixels:
-        lines.append(
-            f"JaC is 0 in every frame and points are {off:.0f} px off: do the cameras belong to"
-            f" {setup.size[0]}x{setup.size[1]} (camera_size), with z down?"
-        )
-    for line in lines:
-        warnings.warn(line, stacklevel=2)
+    told = condensed(notices)
+    remarks = [f"{notice} ({pluralize(count, 'camera')})" for notice, count in told.items()]
+    for line in (*total.notes.lines(), *position_remarks(judged), *remarks, total.size_doubt):
+        if line:
+            warnings.warn(line, stacklevel=2)
+    summaries = total.sums.summary()
     source = SourceSums.of("this", chosen, sums)
     terms = setup.describe(source.ground_only)
     mark = source.fitted.among(len(judged))

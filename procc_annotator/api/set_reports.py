@@ -20,7 +20,7 @@ from procc_annotator.batch.agreement import AgreementRun, ConsensusRun
 from procc_annotator.batch.comparison import ComparisonRun
 from procc_annotator.batch.execution.executor import Executor, make_executor
 from procc_annotator.batch.grouping import NotInOrderError, shots_by_name
-from procc_annotator.batch.set_run import annotations_for
+from procc_annotator.batch.set_run import annotations_for, frames_of_all
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
@@ -35,6 +35,7 @@ from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.formats.frame_names import file_of_frame
 from procc_annotator.interaction.palette import SOURCE_COLOURS
+from procc_annotator.messages import condensed
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
 from procc_annotator.metrics.statistics.intervals import BootstrapSettings
 from procc_annotator.report.agreement import compare_annotators as agreement_of
@@ -91,26 +92,31 @@ class _Opened:
         ]
 
     def over_time(self, threshold: float) -> list[TemporalMetrics]:
-        """Of each method, over the shots that the names of frames tell."""
-        found = []
-        for one in self.requests:
-            names = dict.fromkeys(annotations_for(one.cameras.frames, self.source))
-            shots = shots_by_name(names | dict.fromkeys(one.cameras.frames))
-            by_name = shots, "by the names of frames", dict[str, Path]()
-            try:
-                found.append(measure_over_time(one, by_name, threshold, self.executor))
-            except NotInOrderError as error:
-                warnings.warn(f"nothing is measured over time: {error}", stacklevel=3)
-                return []
-        return found
+        """Of each method, over the shots that the names of all frames tell."""
+        tables = [one.frames for one in self.cameras.values()]
+        shots = shots_by_name(frames_of_all(annotations_for(tables[0], self.source), tables))
+        known = shots, "by the names of frames", dict[str, Path]()
+        try:
+            return [measure_over_time(r, known, threshold, self.executor) for r in self.requests]
+        except NotInOrderError as error:
+            warnings.warn(f"nothing is measured over time: {error}", stacklevel=3)
+            return []
 
 
 @contextmanager
 def _opened(
-    annotations: Annotations, methods: Mapping[str, Any], options: SetOptions
+    annotations: Annotations,
+    methods: Mapping[str, Any],
+    options: SetOptions,
+    every_frame: bool = False,
 ) -> Iterator[_Opened]:
     """Annotations and methods as the commands read them; annotations that are given as values are
-    written to a folder that is removed afterwards."""
+    written to a folder that is removed afterwards.
+
+    Args:
+        every_frame: whether functions are called for the frames of all methods, not only for those
+            annotated.
+    """
     if not isinstance(methods, Mapping) or not all(isinstance(name, str) for name in methods):
         raise UsageError(f"methods: expected them by name, found {kind_of(methods)}")
     if unknown := options.keys() - SetOptions.__annotations__.keys():
@@ -137,12 +143,16 @@ def _opened(
         )  # fmt: skip
         own = as_optional_size(options.get("camera_size"))
         cameras: dict[str, CameraCollection] = {}
-        for called, method in methods.items():
+        for called, method in sorted(methods.items(), key=lambda item: callable(item[1])):
             if isinstance(method, str | Path):
                 there = CameraCollection.open(Path(method), field=known)
                 cameras[called] = opened.enter_context(there)
-            else:
-                cameras[called] = CamerasInMemory(cameras_of(method, frames, called), called, known)
+                continue
+            names = dict.fromkeys(frames)
+            if every_frame and callable(method):
+                names = frames_of_all(frames, (one.frames for one in cameras.values()))
+            cameras[called] = CamerasInMemory(cameras_of(method, names, called), called, known)
+        cameras = {called: cameras[called] for called in methods}
         of_files = not any(isinstance(one, CamerasInMemory) for one in cameras.values())
         workers = options.get("workers", 1) or None if of_files else 1
         source = opened.enter_context(open_annotations(place, known))
@@ -160,6 +170,14 @@ def _write_annotations(annotations: Mapping[str, FrameAnnotation], folder: Path)
 def _require_methods(methods: object) -> None:
     if not methods:
         raise UsageError("there is no method to evaluate")
+
+
+def _warn_of(notices: Mapping[str, Mapping[str, int]]) -> None:
+    """Warn of the remarks on each method."""
+    for name, of_method in notices.items():
+        for notice, count in condensed(of_method).items():
+            cameras = f" ({count} cameras)" if count > 1 else ""
+            warnings.warn(f"{name}: {notice}{cameras}", stacklevel=3)
 
 
 def _pairs(given: Sequence[Any]) -> tuple[tuple[str, str], ...]:
@@ -211,7 +229,7 @@ def write_report(
     files = [as_path(one, "a report") for one in ([path] if isinstance(path, str | Path) else path)]
     kinds, chosen = set(map(report.report_kind, files)), check_thresholds(thresholds)
     _require_methods(methods)
-    with _opened(annotations, methods, options) as one:
+    with _opened(annotations, methods, options, over_time) as one:
         today = datetime.date.today().isoformat()
         request = report.ReportRequest(
             title or f"Cameras of {one.name}", today, seed=seed, disagreement=_pairs(disagreement)
@@ -228,6 +246,7 @@ def write_report(
         painters = report.ReportPainters(
             PlainPictures(".jpg", look), DisagreementPainter(".jpg"), SOURCE_COLOURS
         )
+        _warn_of({source.name: source.notices for source in gathered.sources})
         drawn = painters if "html" in kinds else None
         problems = report.write_report(gathered, material, request, drawn, files, work)
         return tuple(dict.fromkeys([*gathered.failures(), *problems]))
@@ -254,7 +273,8 @@ def compare_methods(
         cluster: as of `SetScore.intervals`, by name.
         resamples: how often the set is resampled. seed: of these.
         over_time: whether jitter, jumps and outages over the shots are measured, too; frames of
-            a shot are those whose names count on.
+            a shot are those whose names count on, of all methods together (functions are called
+            for all of them).
         **options: see `SetOptions`.
 
     Returns:
@@ -270,12 +290,13 @@ def compare_methods(
         raise UsageError(f"resamples: expected at least {_FEWEST_RESAMPLES}, found {resamples!r}")
     settings = InferenceSettings(cluster, draws=BootstrapSettings(resamples, seed))
     chosen = check_thresholds(thresholds)
-    with _opened(annotations, methods, options) as one:
+    with _opened(annotations, methods, options, over_time) as one:
         file, unwritten = one.folder / "scores.json", dict[Path, ProccError]()
         run = Evaluations(one.requests, chosen, [file], named=True, settings=settings)
-        run.score(one.executor, lambda steps, *_: iter(steps), unwritten)
+        scored = run.score(one.executor, lambda steps, *_: iter(steps), unwritten)
         for error in unwritten.values():
             raise error
+        _warn_of({s.method: s.notices for s in scored})
         steady = one.over_time(chosen[0]) if over_time else []
         return _content(file) | ({"over_time": over_time_entries(steady)} if steady else {})
 
@@ -330,7 +351,8 @@ def compare_cameras(
     Raises:
         UsageError, InputError: as of `write_report`.
     """
-    with _opened(dict.fromkeys(frames or (), FrameAnnotation()), {"a": a, "b": b}, options) as one:
+    given, both = dict.fromkeys(frames or (), FrameAnnotation()), {"a": a, "b": b}
+    with _opened(given, both, options, every_frame=frames is None) as one:
         first, second = one.sets
         run = ComparisonRun(first, second, one.setup.field, one.setup.size, frames, one.executor)
         file = one.folder / "comparison.json"

@@ -23,7 +23,6 @@ from procc_annotator.batch.set_run import (
 from procc_annotator.dataset.diagnostics import found_instead_of_cameras
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.cameras.collection import CameraCollection
-from procc_annotator.formats.cameras.fit_record import NOT_FITTED
 from procc_annotator.formats.file_source import FileSource
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
@@ -58,9 +57,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         tagged: number of frames that have tags.
         unmatched_cameras: frames with a camera file but no annotation: reported, not counted.
         notices: remarks on the cameras.
-        counted, with_camera: frames so far that count, and those of them that were scored.
-        ground_only: whether one of the cameras so far knows only the ground.
-        fitted: how many of the cameras so far were fitted to the annotations they are judged by.
+        tally: sums of the frames so far.
     """
 
     chunk = CHUNK
@@ -86,10 +83,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         used = {with_camera.name_there(frame.name) for frame in frames if frame.has_camera}
         self.unmatched_cameras = tuple(name for name in with_camera if name not in used)
         self.notices = cameras.notices
-        self.counted = self.with_camera = 0
-        self.fitted = NOT_FITTED
-        self.ground_only = False
-        self._sums = task.new_tally()
+        self.tally = task.new_tally()
         self._require_cameras(annotations, cameras)
 
     @property
@@ -122,39 +116,29 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
             )
 
     def _take(self, results: Sequence[T], sums: Tally) -> None:
-        self._sums.merge(sums)
-        self.counted += sums.counted
-        self.with_camera += sums.with_camera
-        self.ground_only |= sums.ground_only
-        self.fitted += sums.fitted
+        self.tally.merge(sums)
 
     @property
     def held_out(self) -> LeftOutMetrics:
         """Return what is known of elements left out of the fits among the cameras so far."""
-        return self._sums.held_out.at(self.setup)
-
-    @property
-    def annotation_notes(self) -> tuple[str, ...]:
-        """Return what the annotations so far have that lowers every score, see
-        `AnnotationNotes`."""
-        return self._sums.notes.lines()
+        return self.tally.held_out.at(self.setup)
 
     def summary(self) -> dict[float, SetSummary]:
         """Figures of the frames seen so far, by threshold."""
-        return self._sums.sums.summary()
+        return self.tally.sums.summary()
 
     def group_summaries(self) -> tuple[GroupSummary, ...]:
         """The same for the frames of each group, in the order of what they are grouped by."""
         return tuple(
             GroupSummary(by, value, sums.summary())
             for by in self.task.by
-            for value, sums in self._sums.groups_by(by)
+            for value, sums in self.tally.groups_by(by)
         )
 
     def describe(self) -> str:
         """Protocol, size and what else the numbers depend on, in words."""
-        described = self.setup.describe(self.ground_only)
-        mark = self.fitted.among(self.with_camera)
+        described = self.setup.describe(self.tally.ground_only)
+        mark = self.tally.fitted.among(self.tally.with_camera)
         return f"{described}, {mark}" if mark else described
 
 

@@ -235,6 +235,15 @@ def annotations_for(cameras: ByFrame[str], source: FileSource) -> AnnotationFile
     return files.by_path() if files.is_part_of(cameras) else files
 
 
+def frames_of_all(names: Iterable[str], methods: Iterable[ByFrame[str]]) -> dict[str, None]:
+    """The names of frames, and of those that only some methods have, each once."""
+    found = dict.fromkeys(names)
+    for frames in methods:  # which may call the same frames otherwise
+        known = {frames.name_there(name) for name in found}
+        found |= dict.fromkeys(name for name in frames if name not in known)
+    return found
+
+
 def require_annotations(source: FileSource) -> AnnotationFiles:
     """The same, by name."""
     files = list_annotations(source)

@@ -19,7 +19,12 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.cli.manifest import ManifestFile, ManifestOfRun
 from procc_annotator.cli.method_arguments import parse_sources
 from procc_annotator.cli.painters import overlay_painter
-from procc_annotator.cli.remarks import report_mismatch, report_remarks, report_unreadable
+from procc_annotator.cli.remarks import (
+    report_mismatch,
+    report_notices,
+    report_remarks,
+    report_unreadable,
+)
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.layout import annotations_of, annotations_or_path
@@ -189,8 +194,6 @@ def report(context: typer.Context, given: ReportOptions) -> None:
             for spec in specs
         }
         report_mismatch(source, field)
-        for called, one in cameras.items():
-            report_remarks(f"{called}: {notice}" for notice in one.notices)
         own = [] if manifest is None else [manifest.path]
         outputs.check_not_inputs((*written_to, *own), [source, *cameras.values()])
         work_ahead = len(list_annotations(source)) * _frame_cost(request, len(specs))
@@ -217,6 +220,8 @@ def report(context: typer.Context, given: ReportOptions) -> None:
     for path in (*written_to, *own):
         echo(f"written: {path}")
     report_remarks(dict.fromkeys(note for s in gathered.sources for note in s.annotation_notes))
+    for s in gathered.sources:
+        report_notices({f"{s.name}: {notice}": count for notice, count in s.notices.items()})
     failures = list(dict.fromkeys(gathered.failures()))
     # Drawing a frame meets what scoring it has met, without knowing the source's name.
     failures += [p for p in problems if not any(said.endswith(p) for said in failures)]

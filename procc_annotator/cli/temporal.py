@@ -16,7 +16,7 @@ from procc_annotator.batch.grouping import (
     shots_by_name,
     shots_from,
 )
-from procc_annotator.batch.set_run import annotations_for
+from procc_annotator.batch.set_run import annotations_for, frames_of_all
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.remarks import report_remarks
@@ -77,11 +77,8 @@ class TemporalRequest:
     ) -> tuple[list[ShotFrames], str, Mapping[str, Path]]:
         """The shots of a set, what says so, and its pictures by frame."""
         first = sources[0]
-        names = dict.fromkeys(annotations_for(first.cameras.frames, first.annotations))
-        for one in sources:
-            cameras = one.cameras.frames  # which may call the same frames otherwise
-            known = {cameras.name_there(name) for name in names}
-            names |= dict.fromkeys(name for name in cameras if name not in known)
+        annotated = annotations_for(first.cameras.frames, first.annotations)
+        names = frames_of_all(annotated, (one.cameras.frames for one in sources))
         pictures: dict[str, Path] = {}
         ranges: list[range] = []
         table = self._table(sources)

@@ -210,7 +210,7 @@ def test_what_lowers_every_score_is_told(cli, few, tmp_path):
     both = cli("evaluate", *few.set_arguments).stderr, run(cli, few, out, {"a": few.cameras}).stderr
     for line in told:
         assert [stderr.count(line) for stderr in both] == [1, 1]
-        assert line in Page(out.read_text()).text
+        assert f"{line[0].upper()}{line[1:]}." in Page(out.read_text()).text
 
 
 def test_figures_are_those_of_evaluate(cli, two_sources, tmp_path):

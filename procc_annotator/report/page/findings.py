@@ -126,4 +126,6 @@ def _uncounted(report: AuditReport) -> Iterator[str]:
         names = [s.name for s in report.evaluated if sign in s.marked_name[len(s.name) :]]
         if names:
             yield f"{sign} {', '.join(names)}: {why}; not ranked, bold or tested."
-    yield from dict.fromkeys(note for s in report.evaluated for note in s.annotation_notes)
+    for note in dict.fromkeys(note for s in report.evaluated for note in s.annotation_notes):
+        yield f"{note[0].upper()}{note[1:]}."
+    yield from (f"{s.name}: {s.size_doubt}" for s in report.evaluated if s.size_doubt)

@@ -96,8 +96,8 @@ class ReportedSource:
         described: what the numbers depend on, in words.
         ground_only: whether one of its cameras knows only the ground.
         frames: in natural order, all annotated ones.
-        notices: remark -> number of cameras it is about; 0 where it is about annotations.
-        annotation_notes: as of `EvaluationRun`.
+        notices: remark on cameras -> number of them; 0 where it is about the set.
+        annotation_notes: see `AnnotationNotes`. size_doubt: see `Tally`.
         failure: why nothing could be evaluated; empty when something was.
         fitted: its cameras that were fitted to the annotations they are judged by.
         held_out: what is known of elements left out of these fits.
@@ -114,6 +114,7 @@ class ReportedSource:
     unmatched: tuple[str, ...] = ()
     failure: str = ""
     annotation_notes: tuple[str, ...] = ()
+    size_doubt: str = ""
     fitted: FitCounts = NOT_FITTED
     held_out: LeftOutMetrics = field(default_factory=LeftOutMetrics)
 
@@ -318,11 +319,12 @@ def _gather(
     except UsageError as error:
         return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=str(error))
     frames = tuple(work.progress(run, run.total, f"scoring {source.name}"))
+    tally = run.tally
     notices = Counter(run.notices)
     for frame in frames:
         notices.update(frame.notices)
-    notices.update(dict.fromkeys(run.annotation_notes, 0))
-    if run.counted == 0:
+    notices.update(dict.fromkeys(filter(None, [tally.size_doubt]), 0))
+    if tally.counted == 0:
         why = f"none of the {run.total} annotations can be read; the first: {frames[0].error}"
         return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=why)
     return ReportedSource(
@@ -331,12 +333,13 @@ def _gather(
         fmt,
         run.summary(),
         run.describe(),
-        run.ground_only,
+        tally.ground_only,
         frames,
         notices,
         run.unmatched_cameras,
-        annotation_notes=run.annotation_notes,
-        fitted=run.fitted,
+        annotation_notes=tally.notes.lines(),
+        size_doubt=tally.size_doubt,
+        fitted=tally.fitted,
         held_out=run.held_out,
     )
 

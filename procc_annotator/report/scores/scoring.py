@@ -265,17 +265,18 @@ class _Scoring:
 
     def sum_up(self) -> None:
         """Compute the metrics; all frames have been taken."""
-        run, request = self.run, self.request
-        if run.counted == 0:
+        run, request, tally = self.run, self.request, self.run.tally
+        self._notices.update(filter(None, [tally.size_doubt]))
+        if tally.counted == 0:
             raise UsageError(
                 f"none of the {run.total} annotations can be read; the first: {self._errors[0]}"
             )
         self.scored = Scored(
-            run.summary(), run.setup, run.describe(), run.counted, run.with_camera,
+            run.summary(), run.setup, run.describe(), tally.counted, tally.with_camera,
             self._worst.rows(), self._errors, self._notices, run.unmatched_cameras,
-            request.set_name, request.method, run.group_summaries(), run.annotation_notes,
-            SourceSums.of(request.method, self._thresholds, self._sums), run.fitted, run.held_out,
-            run.ground_only,
+            request.set_name, request.method, run.group_summaries(), tally.notes.lines(),
+            SourceSums.of(request.method, self._thresholds, self._sums), tally.fitted, run.held_out,
+            tally.ground_only,
         )  # fmt: skip
 
     def write_end(self, more: Mapping[str, Any]) -> None:

@@ -13,7 +13,7 @@ from procc_annotator.batch import evaluation
 from procc_annotator.batch.evaluation import EvaluationRun, run_evaluation
 from procc_annotator.batch.execution.executor import Executor, make_executor
 from procc_annotator.batch.grouping import FrameOrder, Grouping, Tags, check_by
-from procc_annotator.batch.scoring import FrameResult
+from procc_annotator.batch.scoring import NOTHING_SHOWN, FrameResult
 from procc_annotator.dataset.dataset_field import field_with_stadiums
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.load import field_for_frame, load_field
@@ -83,13 +83,30 @@ def test_tally_of_good_and_bad_files(annotations, cameras):
     results = {r.name: r for r in evaluated}
     assert evaluated.total == 4
     assert evaluated.unmatched_cameras == ("d",)
-    assert (evaluated.counted, evaluated.with_camera) == (3, 1)
+    assert (evaluated.tally.counted, evaluated.tally.with_camera) == (3, 1)
     assert not results["a"].counted
     assert "a.json" in (results["a"].error or "")
     assert results["b"].camera is None
     assert "camera_b.json" in (results["b"].error or "")
     assert results["c"].error is None
     assert evaluated.summary()[5.0].completeness == pytest.approx(1 / 3)
+
+
+@pytest.mark.parametrize(("wrong", "told"), [(0, False), (2, False), (3, True), (4, True)])
+@pytest.mark.parametrize(
+    ("change", "shown"), [({"tilt_degrees": 200.0}, False), ({"x_focal_length": 9e3}, True)]
+)
+def test_cameras_of_another_size_or_world_are_named(
+    annotations, cameras, wrong, told, change, shown
+):
+    fill(annotations, cameras, "abcd")
+    for name in "abcd"[:wrong]:
+        turned = CAMERA | {"principal_point": [1500.0, 269.5]} | change
+        (cameras / f"camera_{name}.json").write_text(json.dumps(turned))
+    evaluated = run(annotations, cameras)
+    notices = [notice for result in evaluated for notice in result.notices]
+    assert notices.count(NOTHING_SHOWN) == (0 if shown else wrong)
+    assert ("picture size" in evaluated.tally.size_doubt) == told
 
 
 def test_a_folder_in_place_of_a_file_does_not_stop_the_set(annotations, cameras):
@@ -117,7 +134,7 @@ def test_figures_do_not_depend_on_the_number_of_processes(
     alone = run(annotations, cameras)
     list(alone)
     assert evaluated.summary() == alone.summary()
-    assert evaluated.with_camera == 29
+    assert evaluated.tally.with_camera == 29
 
 
 def test_stopping_half_way_is_clean(annotations, cameras, monkeypatch):
