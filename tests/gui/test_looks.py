@@ -6,8 +6,8 @@ from PySide6.QtGui import QColor, QPalette
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
-from procc_annotator.gui.canvas.display_adjustment import AdjustmentControls
 from procc_annotator.gui.theme import palette
+from procc_annotator.gui.window.display_adjustment import AdjustmentControls
 from procc_annotator.image.pixels import DisplayAdjustment
 
 

@@ -24,11 +24,11 @@ from PySide6.QtWidgets import (
     QWidgetAction,
 )
 
-from procc_annotator.gui.canvas.display_adjustment import AdjustmentControls
 from procc_annotator.gui.keymap import NATIVE, short_text
 from procc_annotator.gui.panels.widgets import named
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.theme import blend, paint_icon
+from procc_annotator.gui.window.display_adjustment import AdjustmentControls
 from procc_annotator.gui.window.menus import Actions
 from procc_annotator.translation import tr
 

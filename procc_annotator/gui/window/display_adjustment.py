@@ -6,19 +6,9 @@ import math
 from dataclasses import replace
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QSizePolicy,
-    QSlider,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QLabel, QSizePolicy, QSlider, QWidget
 
+from procc_annotator.gui.panels.widgets import hbox, make_button, make_label, named, vbox
 from procc_annotator.gui.theme import fixed_width
 from procc_annotator.image.pixels import MAX_GAMMA, DisplayAdjustment
 from procc_annotator.translation import tr, word
@@ -36,8 +26,8 @@ class AdjustmentControls(QWidget):
 
     lookChanged = Signal(object)  # Look
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("lookControls")
         self._look = DisplayAdjustment()
         self._numbers: dict[str, QLabel] = {}
@@ -46,15 +36,15 @@ class AdjustmentControls(QWidget):
             "contrast": self._slider("contrast", tr("Stretch values about middle grey")),
             "gamma": self._slider("gamma", tr("To the right, dark parts become lighter")),
         }
-        self.enhance = QCheckBox(tr("Line enhance"))
-        self.enhance.setObjectName("lookEnhance")
-        self.enhance.setToolTip(tr("Bring out worn and shaded lines"))
+        tip = tr("Bring out worn and shaded lines")
+        self.enhance = named(QCheckBox(tr("Line enhance")), "lookEnhance", tip=tip)
         self.enhance.toggled.connect(lambda on: self._choose(replace(self._look, enhance=on)))
-        self.reset_button = QPushButton(tr("Reset"))
-        self.reset_button.setObjectName("lookReset")
-        self.reset_button.setAutoDefault(False)
-        self.reset_button.setToolTip(tr("Show the picture as it is"))
-        self.reset_button.clicked.connect(lambda: self._choose(DisplayAdjustment()))
+        self.reset_button = make_button(
+            tr("Reset"),
+            lambda: self._choose(DisplayAdjustment()),
+            "lookReset",
+            tip=tr("Show the picture as it is"),
+        )
         self._arrange()
         self._show()
 
@@ -72,16 +62,12 @@ class AdjustmentControls(QWidget):
 
     def _slider(self, name: str, tip: str) -> QSlider:
         slider = QSlider(Qt.Orientation.Horizontal)
-        slider.setObjectName(f"look_{name}")
-        slider.setAccessibleName(tr(_TITLES[name]))
-        slider.setToolTip(tip)
+        named(slider, f"look_{name}", tip=tip, title=tr(_TITLES[name]))
         slider.setRange(-_STEPS, _STEPS)
         slider.setPageStep(10)
         slider.setMinimumWidth(80)
         slider.valueChanged.connect(lambda step: self._slide(name, step))
-        number = QLabel()
-        number.setObjectName(f"look_{name}_number")
-        number.setFont(fixed_width(number.font()))
+        number = make_label(name=f"look_{name}_number", font=fixed_width(self.font()))
         number.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         number.setMinimumWidth(number.fontMetrics().horizontalAdvance("+100"))
         self._numbers[name] = number
@@ -95,24 +81,13 @@ class AdjustmentControls(QWidget):
         for row, (name, slider) in enumerate(self.sliders.items()):
             title = QLabel(tr(_TITLES[name]))
             title.setBuddy(slider)
-            rows.addWidget(title, row, 0)
-            rows.addWidget(slider, row, 1)
-            rows.addWidget(self._numbers[name], row, 2)
-        last = QHBoxLayout()
-        last.addWidget(self.enhance, 1)
-        last.addWidget(self.reset_button)
-        hint = QLabel(tr("Only what you see changes, never the file"))
-        hint.setObjectName("lookHint")
-        hint.setWordWrap(True)
-        hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            for column, widget in enumerate((title, slider, self._numbers[name])):
+                rows.addWidget(widget, row, column)
+        words = tr("Only what you see changes, never the file")
+        hint = make_label(words, "lookHint", wrap=True, faint=True)
         hint.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Minimum)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(10, 8, 10, 8)
-        layout.setSpacing(8)
-        layout.addLayout(rows)
-        layout.addLayout(last)
-        layout.addWidget(hint)
-        layout.addStretch(1)
+        last = hbox((self.enhance, 1), self.reset_button)
+        vbox(rows, last, hint, None, of=self, spacing=8, margins=(10, 8, 10, 8))
 
     # --- changing -------------------------------------------------------------------------
 
