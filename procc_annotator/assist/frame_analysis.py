@@ -37,7 +37,7 @@ class FrameAnalysis:
         ghosts: elements not annotated yet, where the camera expects them.
         findings: what may be wrong with the labels, the surest first.
         suggestions: what to annotate next, the most helpful first.
-        optional_in_sight: the optional elements that the camera has in the picture; they may be
+        visible_optional: the optional elements that the camera has in the picture; they may be
             there or not, and few are suggested.
         from_clicks: whether the camera is that of the annotation; else it was found without.
     """

@@ -62,13 +62,11 @@ class LabelCount:
     Attributes:
         label: as in the files.
         shapes: with it in the set.
-        frames: that have any.
         copies: in a frame, as most of those have it.
     """
 
     label: str
     shapes: int
-    frames: int
     copies: int
 
 
@@ -103,7 +101,7 @@ def label_counts(frames: Sequence[LabelledFrame]) -> list[LabelCount]:
         for label, shapes in frame.shapes.items():
             copies.setdefault(label, Counter())[len(shapes)] += 1
     counts = [
-        LabelCount(label, sum(n * k for n, k in some.items()), some.total(), _usual(some))
+        LabelCount(label, sum(n * k for n, k in some.items()), _usual(some))
         for label, some in copies.items()
     ]
     return sorted(counts, key=lambda count: -count.shapes)

@@ -148,7 +148,7 @@ class ToolContext:
         curved: classes that are no straight lines; their direction changes along them.
         snap: finds the centre of a class's paint near a position; None: snapping is off.
         pinned: elements as a whole cannot be dragged.
-        two_clicks_finish: a straight element is finished by its second click.
+        is_two_point_element: a straight element is finished by its second click.
         title: what people call a class.
         spots: classes that are single places: one click annotates them, and no line is near.
         unnamed: the class of a line that is named after it was drawn; None: classes come first.

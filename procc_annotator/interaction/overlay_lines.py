@@ -46,7 +46,6 @@ _SMALLEST_ELLIPSE_PX = 1.0  # picture px; below that the place is as good as kno
 class ShownEllipse:
     """Error ellipse of a landmark in a view, picture px, in the landmark's colour."""
 
-    name: str
     colour: str
     ellipse: ErrorEllipse
 

@@ -96,13 +96,11 @@ class SharedSolution:
     Attributes:
         values: (s,).
         covariance: (s, s).
-        error_px: standard deviation of a point across its element, solver px.
         profiles: of the frames, in their order.
     """
 
     values: FloatArray
     covariance: FloatArray
-    error_px: float
     profiles: tuple[ReducedFrame, ...]
 
 
@@ -202,9 +200,7 @@ def solve_shared(
         if length < _CONVERGED_STEP_SD:
             break
     error_px = _pooled_click_sd(profiles, len(values))
-    return SharedSolution(
-        values, _shared_covariance(profiles, prior, error_px), error_px, tuple(profiles)
-    )
+    return SharedSolution(values, _shared_covariance(profiles, prior, error_px), tuple(profiles))
 
 
 def _total_cost(

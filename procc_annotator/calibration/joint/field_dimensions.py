@@ -153,7 +153,7 @@ class FittedDimension:
         dimension: its title, nominal value and range; its value is the one that was found.
         sd_m: standard deviation, metres.
         frames: number of frames that say something of it.
-        most_sd_m: what it must be known to, metres.
+        max_sd_m: what it must be known to, metres.
     """
 
     dimension: Dimension
@@ -198,7 +198,8 @@ class StadiumFit:
         frames: number of frames that took part.
         elements, left_out: number of their elements, and of those that fit even the best field so
             badly that they had no say.
-        against_rules: which relation between dimensions those that are determined break; empty if
+        relation_violation: which relation between dimensions those that are determined break; empty
+        if
             none.
     """
 

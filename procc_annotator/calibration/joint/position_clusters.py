@@ -133,7 +133,7 @@ class OppositeSideFrames:
 
     Attributes:
         turned: frame -> how many frames stand where its camera does once its labels are turned.
-        rare: frames that stand where no other does, on a side where hardly any does.
+        minority: frames that stand where no other does, on a side where hardly any does.
     """
 
     turned: Mapping[int, int] = field(default_factory=dict)

@@ -100,9 +100,9 @@ class SharedPositionResult:
     """Frames fitted together.
 
     Attributes:
-        tripods: the positions found, the one with most frames first.
-        fits: frame -> its camera at its tripod's position, or as it was alone.
-        tripod_of: frame -> index in `tripods`, of the frames that share one.
+        groups: the positions found, the one with most frames first.
+        fits: frame -> its camera at its group's position, or as it was alone.
+        group_of: frame -> index in `groups`, of the frames that share one.
         apart: frame -> why it shares no position, in words; frames without a camera are not in it.
         gained: frames that had no camera alone.
     """

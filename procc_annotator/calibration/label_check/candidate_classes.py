@@ -36,10 +36,9 @@ _MIN_CURVE_POINTS = 4
 
 @dataclass(frozen=True, slots=True)
 class CandidateClass:
-    """Distance of one polyline's points to one class, solver px."""
+    """Mean distance of one polyline's points to one class, solver px."""
 
     class_name: str
-    max_px: float
     mean_px: float
 
 
@@ -88,7 +87,7 @@ def candidate_classes(
     names = [e.name for e in field.elements if _is_possible_class(e, own, count)]
     distances = distances_to_classes(polyline, names, field, frame, vector)
     near = [
-        CandidateClass(name, float(d.max()), float(d.mean()))
+        CandidateClass(name, float(d.mean()))
         for name, d in distances.items()
         if d.max() <= within_px
     ]

@@ -99,13 +99,12 @@ class Explanation:
         vector: (11,) the camera without the mistakes.
         off_px: mistake -> its largest distance, solver px, as it counts.
         right: number of elements that fit, without landmarks that may be anywhere.
-        right_px: mean of their largest distances, solver px.
+        correct_px: mean of their largest distances, solver px.
         names: mistake -> the class it fits, all of them different.
         places: mistake -> every class its points are near to.
         points: mistake -> the one point that is to blame.
     """
 
-    camera: PosedCamera
     vector: FloatArray
     off_px: Mapping[str, float]
     right: int
@@ -308,7 +307,6 @@ def _build_explanation(
     taken = set(off) - set(wrong) | points.keys()
     names = dict(_greedy_assignment(places, taken))
     return Explanation(
-        camera,
         vector,
         {name: off[name] for name in off if name in wrong},
         len(right.keys() - uncertain_landmarks(doubted.field, vector)),

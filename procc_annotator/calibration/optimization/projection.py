@@ -123,7 +123,7 @@ class Lens:
         linear: (B, 3, 4) world -> undistorted pixels times depth.
         focal: (B,) focal length, solver px.
         bend: (B, 1) kappa / h^2.
-        bend_by_kappa: 1 / h^2.
+        distortion_by_kappa: 1 / h^2.
         curve: of strong lenses; None for those of one radial coefficient.
     """
 

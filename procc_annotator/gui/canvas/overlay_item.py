@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import chain, repeat, zip_longest
 
 import numpy as np
@@ -63,13 +63,18 @@ class StillOverlay:
         ratio = painter.device().devicePixelRatioF()
         times = text_times()
         asked = layers, scale, offset, room, seen, ratio, times
+        paint_still = partial(
+            paint_overlay,
+            scale=scale,
+            offset=offset,
+            room=seen,
+            lines_only=lines_only,
+            text_times=times,
+        )
         if asked != self._painted:
             self._painted, self._picture = asked, None
             for overlay in layers:
-                paint_overlay(
-                    painter, overlay, scale=scale, offset=offset, clip=clip, room=seen,
-                    lines_only=lines_only, text_times=times,
-                )  # fmt: skip
+                paint_still(painter, overlay, clip=clip)
             return
         if self._picture is None:
             self._picture = QPixmap(room * ratio)
@@ -78,10 +83,7 @@ class StillOverlay:
             own = QPainter(self._picture)
             whole = QRectF(0, 0, room.width(), room.height())
             for overlay in layers:
-                paint_overlay(
-                    own, overlay, scale=scale, offset=offset, clip=whole, room=seen,
-                    lines_only=lines_only, text_times=times,
-                )  # fmt: skip
+                paint_still(own, overlay, clip=whole)
             own.end()
         painter.save()
         for place in exposed_rects(painter):

@@ -102,7 +102,7 @@ def _project(
     found = project_error_ellipses(camera, positions, covariances, camera_covariances=spread)
     elements = {e.name: e.colour for e in field.elements}
     return tuple(
-        ShownEllipse(mark.name, elements[mark.name], ellipse)
+        ShownEllipse(elements[mark.name], ellipse)
         for mark, ellipse in zip(marks, found, strict=True)
         if ellipse is not None and mark.name in elements
     )

@@ -46,7 +46,7 @@ class RatioMetrics:
     """K figures over F frames, each a sum of parts over a sum of wholes.
 
     Attributes:
-        parts, wholes: (F, K); a frame that does not count for a figure has 0 in both.
+        parts, denominators: (F, K); a frame that does not count for a figure has 0 in both.
     """
 
     parts: FloatArray
