@@ -244,7 +244,7 @@ class MainWindow(QMainWindow):
             panel.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
-        self.side_bar.looks.lookChanged.connect(self.canvas.set_look)
+        self.side_bar.looks.lookChanged.connect(self.canvas.shown.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
         self.ghost_tasks.accepting.progressed.connect(self.status.show_ghosts)
         self.worst_first.progressed.connect(self.status.show_comparing)

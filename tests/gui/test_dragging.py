@@ -101,7 +101,7 @@ def test_a_carried_point(audited, qtbot, prepare):
     [
         lambda window: window.services.selection.select_class("Middle line"),
         lambda window: window.canvas.undo(),
-        lambda window: window.canvas.set_look(DisplayAdjustment(brightness=0.2)),
+        lambda window: window.canvas.shown.set_look(DisplayAdjustment(brightness=0.2)),
         lambda window: window.services.camera_sources.set_active_camera(1),
         lambda window: window.services.evaluation.set_tau(12.0),
         lambda window: window.canvas.drawing.set_colour_by("class"),

@@ -143,7 +143,7 @@ def test_a_picture_that_goes_before_all_of_it_was_read(window, large, qtbot, mon
 def test_lines_are_enhanced_in_the_whole_picture_only(window, qtbot):
     from procc_annotator.image.pixels import DisplayAdjustment
 
-    window.canvas.set_look(DisplayAdjustment(enhance=True))
+    window.canvas.shown.set_look(DisplayAdjustment(enhance=True))
     window.services.navigator.go_to(5)
     qtbot.waitUntil(lambda: window.services.state.picture is not None)
     plain = window.services.navigator.picture

@@ -160,12 +160,12 @@ class TestLooks:
         services, canvas = on_pitch.services, on_pitch.canvas
         before = services.navigator.picture.copy()
         on_pitch.side_bar.looks.set_look(DisplayAdjustment(brightness=0.3))
-        canvas.set_look(DisplayAdjustment(brightness=0.3))
+        canvas.shown.set_look(DisplayAdjustment(brightness=0.3))
         assert canvas.shown.pixels.mean() > before.mean() + 10
         assert np.array_equal(services.navigator.picture, before)
         services.navigator.next_frame()
         assert canvas.shown.pixels.mean() > services.navigator.picture.mean() + 10
-        canvas.set_look(DisplayAdjustment(enhance=True))
+        canvas.shown.set_look(DisplayAdjustment(enhance=True))
         qtbot.waitUntil(lambda: not np.array_equal(canvas.shown.pixels, services.navigator.picture))
 
 

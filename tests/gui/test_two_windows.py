@@ -60,7 +60,7 @@ def test_a_key_on_what_is_chosen_keeps_what_the_other_window_clicked(both, hand_
         hand_on(first).draw(TOP, (100, 50), (200, 50))
         first.services.navigator.go_to(1 if frame == 0 else 0)
         if key == "Left":
-            second.canvas.arrow(key, 1.0)
+            second.canvas.keys.arrow(key, 1.0)
         else:
             second.canvas.key("Delete")
         assert on_disk(frame) == second.services.state.annotation.annotated

@@ -31,7 +31,6 @@ from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import give_role
-from procc_annotator.image.pixels import DisplayAdjustment
 from procc_annotator.interaction.gestures import Modifiers
 from procc_annotator.interaction.hints import SEPARATOR
 from procc_annotator.translation import tr, word
@@ -154,10 +153,6 @@ class Canvas(PictureView):
             place = self.viewport().mapToGlobal(self.to_view(*self.cursor_px).toPoint())
             QToolTip.showText(place, text, self.viewport(), QRect(), _EXPLANATION_MS)
 
-    def set_look(self, look: DisplayAdjustment) -> None:
-        """Set the display adjustment of all frames."""
-        self.shown.set_look(look)
-
     @property
     def hint(self) -> str:
         """Return what the next click, Enter and Esc will do."""
@@ -229,20 +224,12 @@ class Canvas(PictureView):
         elif not self.editor.key(name, shift=shift) and name == "Escape":
             self.keys.put_away()
 
-    def arrow(self, name: str, step: float) -> None:
-        """Move the chosen points by ``step`` picture px; without any, the crosshair."""
-        self.keys.arrow(name, step)
-
     def point_at(self, px: tuple[float, float]) -> None:
         """Move the cursor of the tool, by mouse or by keys."""
         self.cursor_px = px
         self.editor.move(px, Modifiers())
         self.drawing.refresh_gesture()
         self._say_cursor()
-
-    def delete_element(self) -> None:
-        """Remove the selected element."""
-        self.editor.delete_element()
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         event.accept()

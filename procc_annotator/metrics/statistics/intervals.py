@@ -223,13 +223,9 @@ _QUADRATURE_NODES, _QUADRATURE_WEIGHTS = np.polynomial.legendre.leggauss(64)
 _BISECTIONS = 60
 
 
-def normal_cdf(z: float) -> float:
-    """The share of a normal distribution below ``z`` standard deviations."""
-    return _STANDARD_NORMAL.cdf(z)
-
-
 def normal_ppf(share: float) -> float:
-    """The place, in standard deviations, below which a share in (0, 1) of it lies."""
+    """The place, in standard deviations, below which a share in (0, 1) of a normal
+    distribution lies."""
     return _STANDARD_NORMAL.inv_cdf(share)
 
 
@@ -361,7 +357,7 @@ def _interval_from_resamples(
         bias = normal_ppf(min(max(below / (2 * len(ascending)), least), 1 - least))
         faster = bca_acceleration(without[np.isfinite(without)])
         ends = tuple(bias + (bias + z) / (1 - faster * (bias + z)) for z in ends)  # type: ignore[assignment]
-    low, high = np.quantile(ascending, [normal_cdf(z) for z in ends])
+    low, high = np.quantile(ascending, [_STANDARD_NORMAL.cdf(z) for z in ends])
     return Interval(float(low), float(high), level, method)
 
 
