@@ -322,7 +322,6 @@ def locate_line_ends(
         line: the ghost's, found as far beyond both ends as they may lie.
         ghost: of a straight element, in one piece.
         picture: (H, W, 4) BGRA.
-        paint: how the elements look.
         on_ground: whether it lies on the ground, where the line may be hidden before it ends; a bar
             is seen until it joins the next one.
 

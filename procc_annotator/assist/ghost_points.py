@@ -29,7 +29,6 @@ class GhostPoints:
     """Points that accepting a ghost would add.
 
     Attributes:
-        name: the class.
         points: normalised, in the element's direction; empty where nothing of it can be seen. A
             polyline is one line: stretches hidden in between are bridged by a chord without points.
             At a corner of a chain there is one point.
@@ -164,7 +163,6 @@ def accept_all(
 
     Args:
         annotation: what the ghosts were predicted from.
-        found: their points.
         least_support: the share of a ghost along which its line must be seen.
     """
     good = tuple(f for f in found if f.points and f.support >= least_support)

@@ -43,7 +43,6 @@ class LabelledFrame:
     """A frame with shapes that no one here knows the classes of.
 
     Attributes:
-        name: of the frame.
         size: (width, height) px of its picture.
         shapes: label -> the shapes that have it, in the order of the file; normalised points.
         known: what has a class of the field.
@@ -60,7 +59,6 @@ class LabelCount:
     """Number of occurrences of a label.
 
     Attributes:
-        label: as in the files.
         shapes: with it in the set.
         copies: in a frame, as most of those have it.
     """

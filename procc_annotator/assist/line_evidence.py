@@ -36,7 +36,6 @@ class ExpectedLines:
     """Expected look of each element in one picture.
 
     Args:
-        field: its elements.
         width_px: of the picture.
         camera: in px of the picture; None if unknown or hidden.
         edges: whether lines of any tone are edges between two areas, without paint.

@@ -35,8 +35,6 @@ def close_gaps(
 
     Args:
         polyline: of a class of the field; others come back unchanged.
-        annotation: with the neighbours.
-        field: knows which elements meet.
         size: (width, height) of the picture, px.
     """
     element = field.element(polyline.class_name)

@@ -305,7 +305,6 @@ def find_line(
         predicted_px: (n, 2) px, dense, n >= 2.
         sd_px: (n,) how surely it is known across; the line is looked for within three of these, at
             least 2 px and at most the reach of snapping.
-        sought: what its paint looks like.
         curved: whether the line is a circle or an arc.
         on_ground: whether the same ground lies to both sides of it all along.
         beyond_px: how far beyond its first and its last place the line may go on, straight.

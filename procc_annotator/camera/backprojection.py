@@ -49,7 +49,6 @@ def projection_jacobian(camera: Camera, points_world: FloatArray) -> tuple[Float
     """Project places, with derivatives by the place from differences.
 
     Args:
-        camera: any model.
         points_world: (N, 3) metres.
 
     Returns:
@@ -75,7 +74,6 @@ def places_by_newton(
     """Find places that appear at pixels, by damped Newton steps on the projection.
 
     Args:
-        camera: any model.
         points_px: (N, 2) px.
         starts: (N, 3) metres.
         free: coordinates that may change: 2 for places on the ground, else 3; of the places of a

@@ -39,11 +39,7 @@ class FittedFrame:
 
 @dataclass(frozen=True, eq=False)
 class FittedCameras:
-    """Fits by frame name; never changed, so that any thread may read it.
-
-    Attributes:
-        fits: of the frames that were examined.
-    """
+    """Fits by frame name; never changed, so that any thread may read it."""
 
     fits: Mapping[str, FittedFrame] = field(default_factory=dict)
 

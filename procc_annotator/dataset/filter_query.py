@@ -57,7 +57,6 @@ class FrameFacts:
     Attributes:
         status: one of `STATUSES`; ``in_progress`` is read as ``in progress``.
         annotated: classes with points; None when the annotation is not known or unreadable.
-        comment_text: the text of all comments.
         jac: JaC of the frame at a tau in px, None for the tau in use; None when it has no score.
         verdicts: the parties at fault, under any camera source.
         findings: how sure the label check's findings are; None: it was not checked.
@@ -108,7 +107,6 @@ class FrameQuery:
     """A filter that was read. Two filters are equal when their texts are.
 
     Attributes:
-        text: as it was written.
         incomplete: what is missing while a person types; empty when all conditions are finished.
     """
 

@@ -34,7 +34,6 @@ class StoredFinding:
     """A finding of a frame, with what distinguishes it from others.
 
     Attributes:
-        finding: as the check gave it.
         key: of what was found in which points: the same until one of those elements changes.
         places: (class, index of the point) its marks stand at, one for each annotated element.
     """
@@ -259,7 +258,6 @@ class BlindCommit:
     """The first time that a frame was committed, which was in blind mode.
 
     Attributes:
-        author: who did it.
         time: seconds since 1970, UTC.
         content: of what was committed, see `content_of`; empty if that is not known any more.
     """

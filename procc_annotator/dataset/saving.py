@@ -186,7 +186,6 @@ class SaveResult:
     """Result for a save.
 
     Attributes:
-        save: what was to be written.
         error: why it was not; None once it is.
         stamp: of the file right after it was written.
         unsure: it failed, and no one knows whether the file is as it was or as it should be.

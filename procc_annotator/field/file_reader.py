@@ -43,7 +43,6 @@ def line_number_of(text: str, place: str) -> int | None:
     """The line of a place that an error of `field.file_reader` names, counted from 1.
 
     Args:
-        text: the file.
         place: as ``element 'Net'.start[2]``, ``dimensions.length``, ``symmetries[0]``.
 
     Returns:

@@ -32,7 +32,6 @@ def with_landmarks(
     """The field with a dataset's landmarks, in place of those it may have had.
 
     Args:
-        field: with or without landmarks.
         landmarks: all of the dataset's, those of other instants included.
         instant: of the frame; moving objects are where they were then.
         instants: frame -> when it was taken; kept only where something moves.

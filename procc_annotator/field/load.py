@@ -162,7 +162,6 @@ def with_dimensions(
     measured.
 
     Args:
-        field: as it was loaded.
         dimensions: metres, by name.
         related: whether they must be as the rules relate them to one another; a search may pass
             through others.

@@ -47,8 +47,6 @@ def ask_where(
 
     Args:
         services: nothing is asked, and that is said, where no frame is open.
-        parent: the dialog's.
-        title: the dialog's.
         name: offered for the file.
         kinds: Qt's filters; a name without a suffix gets that of the kind that was chosen.
     """
@@ -75,8 +73,6 @@ def write(
     """Write in the background, and say what came of it.
 
     Args:
-        services: says it.
-        work: writes.
         said: in words, what came of it.
         owner: nothing is said once it is gone; the services unless given.
         progress: receives how many of how many are done.

@@ -41,7 +41,6 @@ class LevelLine:
     """The line of one level.
 
     Attributes:
-        metres: the level.
         dash: lengths on and off, points; () for a solid line.
     """
 

@@ -25,7 +25,6 @@ class Hit:
     """A target under the cursor.
 
     Attributes:
-        class_name: of the polyline.
         kind: ``point``, or ``segment`` between ``index`` and ``index + 1``.
         index: which one.
         distance_screen: screen px from the cursor.
@@ -244,8 +243,6 @@ class Reaction:
         edit: the gesture ended with this.
         preview: show this annotation while the gesture goes on.
         cancelled: the gesture was given up; show the finished annotation again.
-        select: change the selection.
-        message: say this.
         explanation: why nothing happened; said where it cannot be missed the first time.
         finished: an element was finished by hand: the next one may be offered.
         completed: the element that was finished or confirmed by hand.

@@ -20,7 +20,6 @@ class GhostHint:
     """State of the ghosts.
 
     Attributes:
-        count: how many are shown.
         current: the class of the one that is examined.
         points: how many points accepting it adds; None while they are looked for.
         resumes: whether the next one is not the first: it comes behind where a walk was left.
@@ -82,15 +81,11 @@ def status_hint(
     """Say what comes next.
 
     Args:
-        mode: the tool in hand.
-        draw, edit: the tools.
         context: None when no frame is open.
-        field: titles of the classes.
         blocked: why the frame cannot be edited; empty when it can.
         over: what is under the cursor in edit mode.
         blind: the projection is hidden until the frame is committed.
         upcoming: the class that is chosen by itself once this one is finished.
-        suggested: the class to draw next.
         ghosts: how many there are, and which one is examined.
     """
     if context is None:

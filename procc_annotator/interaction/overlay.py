@@ -163,9 +163,7 @@ class OverlayContent:
     """Content of an overlay.
 
     Attributes:
-        annotation: of the frame.
         size: (width, height) of the evaluation; the measurement's px belong to it.
-        field: names, colours.
         picture_size: (width, height) of the picture on screen.
         measurement, score: of this annotation against a camera; None without one. A measurement
             alone shows the projected field.
@@ -230,7 +228,6 @@ class GestureContent:
 
     Attributes:
         annotation: of the frame, as if the mouse button were released now.
-        draft: polyline being drawn.
         pointer: cursor in picture px; it has the highlighted class's title.
         band: corners of the rectangle that chooses points, picture px.
     """

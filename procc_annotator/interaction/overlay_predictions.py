@@ -51,7 +51,6 @@ def finding_signs(
         found: of this annotation, the surest first.
         annotation: of the frame, gestures under way included.
         picture_size: (width, height) px.
-        field: the elements' titles.
         looked_at: elements a person looks at: selected, hovered.
 
     Returns:

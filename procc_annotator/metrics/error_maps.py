@@ -252,7 +252,6 @@ def disagreement(
 
     Args:
         a, b: cameras of any model, in px of ``size``.
-        field: the sports field.
         size: (width, height) px.
         step_px: samples are at most that far apart; the picture's border is always sampled.
 

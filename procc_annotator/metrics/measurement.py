@@ -96,8 +96,6 @@ class Measurement:
     """An annotation against a camera, before any threshold.
 
     Attributes:
-        setup: what was asked.
-        projected: what the camera shows.
         plain: the labels as they are.
         mirrored: the labels of the turned field, one labelling for each of its turns, where the
             setup considers them.

@@ -90,7 +90,6 @@ def visible_polylines(
         valid: (N,) whether a sample is in front of the camera; others are as if absent.
         element: (N,) row of each sample's element, ascending.
         size: (width, height) px.
-        element_count: number of elements of the field.
 
     Returns:
         One piece an element, px; NaN distances for segments without length.

@@ -217,7 +217,6 @@ class ScoreExplanation:
 
     Attributes:
         name: the class in the labelling that counts; annotated_name: as the annotator labels it.
-        status: the verdict.
         deciding_point: index (from 0) in the polyline of the farthest point, or of the first one
             without a distance; None where no point was measured.
         deciding_px: its distance; None if absent.

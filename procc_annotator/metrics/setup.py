@@ -28,7 +28,6 @@ class EvaluationSetup:
     """Everything a score depends on besides annotation, camera and threshold.
 
     Args:
-        field: the sports field.
         size: (width, height) in px at which annotation and camera are compared.
         protocol: ``soccernet`` (the official evaluation, quirks included; optional elements take no
             part, neither annotated nor projected) or ``procc`` (the paper's definition: closed

@@ -154,7 +154,6 @@ def schur_complement(
         weights: (N,) of the points, that of the robust loss included.
         own_gradient: (n,) of the camera's prior.
         own_normal: (n, n) of the camera's prior.
-        shared: s.
     """
     rows = residuals.derivatives[0].reshape(len(residuals.derivatives[0]), -1)
     weighted = rows * np.tile(weights, 2)
@@ -275,9 +274,7 @@ class FrameObservations:
     """One frame to be fitted together with others.
 
     Attributes:
-        seen: its points.
         left_out: (E,) elements taken for mistakes, which have no say.
-        frame: the picture.
         model: P, R or R+.
         vector: (11,) its camera, or what to start from.
     """

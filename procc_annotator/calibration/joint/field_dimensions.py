@@ -194,7 +194,6 @@ class StadiumFit:
     """Dimensions of a stadium.
 
     Attributes:
-        dimensions: those that were fitted.
         frames: number of frames that took part.
         elements, left_out: number of their elements, and of those that fit even the best field so
             badly that they had no say.

@@ -247,7 +247,6 @@ def mirrored_names(
     field without symmetry has no reflection either.
 
     Args:
-        field: the elements.
         signs: factors of x and y: `ALONG` or `MIRROR_Y`.
         needed: classes that must become one.
 

@@ -196,7 +196,6 @@ class FittedPosition:
     Attributes:
         position_m: metres, world frame.
         covariance: rows of the (3, 3) one of it, metres squared.
-        model: of the fit.
         is_sure: whether the points determine the camera.
     """
 
@@ -223,7 +222,6 @@ class OppositeSideFrame:
         opposite: how many frames stand where its camera does once its labels are turned; 0 if none
             do, and it merely stands where hardly any does.
         frames: of the set, with a camera.
-        stand: its own.
     """
 
     opposite: int

@@ -165,7 +165,6 @@ class AnnotatedElement:
     """One annotated element of the field.
 
     Attributes:
-        element: of the field.
         points: (n, 2) solver px, origin at the picture's centre; without points that are nowhere.
         indices: (n,) place of each in the polyline.
     """
@@ -210,8 +209,6 @@ class FrameEvidence:
 
     Attributes:
         annotation: normalised points; unconfirmed elements take no part.
-        field: the elements.
-        frame: the picture.
         fit: the camera fitted to the annotation, or why there is none.
         go_on: called before each further fit; raises whatever it likes when no one wants the rest.
         paint: class -> what the picture shows of paint along it; empty where no one looked.

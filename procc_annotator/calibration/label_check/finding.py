@@ -68,7 +68,6 @@ class Remedy:
     """A way to fix a finding.
 
     Attributes:
-        kind: what it does.
         text: the same in words ("relabel to Right penalty front"), for buttons and tables; by
             `said`.
         renamed: for `RELABEL` and `SWAP`: (class, class it becomes), all at once.

@@ -182,7 +182,6 @@ class _LineProfiles:
     """A picture cut across n places.
 
     Attributes:
-        expected: the places.
         scale: solver px a px.
         step: (n,) px between the samples of a cut.
         half: samples to either side at which a band's middle may lie.

@@ -48,7 +48,6 @@ class LineMeasurement:
     """Paint next to n expected places.
 
     Attributes:
-        expected: the places.
         offsets: what was found next to them.
         marks: of those next to which something was.
     """

@@ -75,8 +75,6 @@ class CameraSolution:
     Attributes:
         vector: (11,) parameters of a pinhole, or (8,) corrections of a homography.
         solution: of the final stage, one camera.
-        prior: of the final stage.
-        seen: the points it was fitted to.
         left_out: (E,) elements taken for mistakes.
         basis: (3, 3) homography that is corrected; None for a pinhole.
     """

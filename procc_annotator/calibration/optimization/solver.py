@@ -148,7 +148,6 @@ class Problem:
     Attributes:
         residuals: (B, m) parameters -> residuals, with derivatives by the first n parameters.
         weights: (N,) of the points.
-        loss: of a point's distance.
         prior: on the first n parameters.
         bounded: index of a parameter that may not fall below 0, if any; in searches that start
             below 0, not below `least`.
@@ -199,9 +198,7 @@ class SolveRequest:
     """A minimisation request: objective, start and limit.
 
     Attributes:
-        problem: what to minimise.
         starts: (B, m) parameters, of which those after the first n stay as they are.
-        iterations: at most so many.
         tolerance: a search ends when a step lowers its cost by less than this share of it.
         hopeless: once a search has ended, others end that cost so many times as much.
     """
@@ -241,7 +238,6 @@ class SolverState:
     """State of B searches.
 
     Attributes:
-        at: what is known there.
         floor: (B,) what their bounded parameter may fall to.
         damping: (B,) of their next steps.
         running: (B,) whether they go on.

@@ -189,7 +189,6 @@ class Ghost:
     """An element no one annotated, as a fitted camera shows it.
 
     Attributes:
-        name: the class.
         pieces: its visible stretches, along the element; one ends and another begins where a chain
             has a corner.
         ends: of a straight one, first and last; None where the picture's edge cuts it off.

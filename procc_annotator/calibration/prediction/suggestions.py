@@ -168,7 +168,6 @@ class AnnotationSuggestion:
     """Gain of annotating an element.
 
     Attributes:
-        name: the class.
         sd_before_px: how surely the fit knows where the field's lines appear: root of the mean
             predicted variance over those in the picture, px.
         sd_after_px: the same with this element annotated.

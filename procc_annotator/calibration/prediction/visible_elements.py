@@ -104,7 +104,6 @@ class VisibleStretch:
     """A stretch of an element inside the picture, in the element's direction.
 
     Attributes:
-        name: the class.
         points_px: (n, 2) px of the picture, dense, n >= 2.
         points_world: (n, 3) the same points, metres.
         length_px: along it.

@@ -108,7 +108,6 @@ class BestCandidate:
     """The best candidate of a search.
 
     Attributes:
-        candidate: it.
         other: (11,) the best of those that show something else; None without any.
         other_score: its.
         support: share of the search's last starts that ended at it, 0 to 1.

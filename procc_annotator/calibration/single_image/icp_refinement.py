@@ -48,7 +48,6 @@ class ImageLinePixels:
     """N places of paint, solver px.
 
     Attributes:
-        frame: the picture.
         points: (2, N).
         along: (N,) rad, direction.
         on_ground: (n,) which of them lie well inside the ground.
@@ -377,8 +376,6 @@ class SearchScene:
     """Inputs of a search.
 
     Attributes:
-        lines: of the field.
-        paint: of the picture.
         known: where its camera stands, (1, 8) means and inverse standard deviations; None if it
             may stand anywhere.
     """

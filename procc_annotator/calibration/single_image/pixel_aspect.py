@@ -61,7 +61,6 @@ class AspectSample:
     """The best camera of a picture with some pixel aspect.
 
     Attributes:
-        evidence: for and against it.
         position_m: (3,) metres.
     """
 

@@ -135,7 +135,6 @@ class FoundCamera:
 
     Attributes:
         candidate: it, in px of that picture.
-        evidence: for and against it.
     """
 
     candidate: BestCandidate

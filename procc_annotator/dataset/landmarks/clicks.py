@@ -30,7 +30,6 @@ class ClickedLandmark:
     """One landmark, at one instant if it moves.
 
     Attributes:
-        name: the class.
         instant: of a moving object; None for what stays.
         clicks: one a frame, in natural order of the frames.
         problem: why there is nothing to triangulate; empty if there is.
@@ -47,7 +46,6 @@ class LocatedLandmark:
     """Result for a landmark's clicks.
 
     Attributes:
-        clicked: the clicks.
         found: the position, or why it is unknown.
         without_view: frames that could not take part, with the reason.
         kept: whether its position was given by a person, and is not touched.

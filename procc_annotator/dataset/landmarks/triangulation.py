@@ -201,7 +201,6 @@ class TriangulationSettings:
         cameras: of the frames; None for cameras fitted to the annotations.
         names: the landmarks to place; None for all that are clicked.
         moving: those that move, next to those that are known to.
-        model: to fit.
         click_px: see `locate`.
         size: (width, height) px to work in; None for what suits the pictures.
     """

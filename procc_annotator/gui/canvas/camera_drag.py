@@ -49,7 +49,6 @@ class CameraDrag(QObject):
     camera. A place that was dragged stays as a peg: the next one turns and zooms about it.
 
     Attributes:
-        item: what is painted.
         held: whether the wireframe is shown, to be taken hold of.
     """
 

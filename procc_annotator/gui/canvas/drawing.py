@@ -102,7 +102,6 @@ class OverlayDrawing(QObject):
     ) -> None:
         """
         Args:
-            item, comparison, maps, legend: what it draws with.
             hand: while it drags a camera, no ghosts are drawn.
             cursor: position of the mouse, picture px.
         """

@@ -65,7 +65,6 @@ class LegendBand:
 
     Args:
         heading: one line or more above the entries; may be empty.
-        entries: what to explain.
         width: px of the picture.
         unit: px per point.
 

@@ -47,7 +47,6 @@ class _Stretch:
         frames: the dataset's.
         revealed: names of the frames whose cameras may be used; None: all.
         not_visible: the classes that cannot be seen in a frame; for any thread.
-        field: the elements.
         least: how much of a line is to be seen.
     """
 

@@ -386,8 +386,6 @@ def search_line(
 
     Args:
         hint: shown while it is empty.
-        name: the object name.
-        changed: called when the text changes.
         title: read out instead of the hint.
         keys: receives Enter, Escape and the vertical arrows, which are the line's then.
     """
@@ -453,10 +451,7 @@ def choice(
     """Make a list to choose from, as narrow as its panel.
 
     Args:
-        name: the object name.
         title: read out where no label is.
-        tip: the tool tip.
-        items: texts with their values.
         chosen: receives the value that the user chooses.
     """
     combo = named(QComboBox(), name, tip=tip, title=title)

@@ -294,7 +294,6 @@ def run_in_background(
         on_partial: receives the parts passed on since, before progress and outcome.
         owner: nothing is delivered any more once this object is gone, and what has not begun by
             then never does.
-        priority: which threads do it.
         delay_ms: begin so much later; 0 is after the next paint. None: at once.
     """
     dispatcher = _dispatcher()
@@ -452,7 +451,6 @@ class ComputedValue(QObject, Generic[T]):
                 live no longer than what it belongs to.
             stoppable: ``compute`` takes ``go_on`` too, a function that raises `Stopped` once the
                 result is not needed any more.
-            priority: of the work in the background.
             delay_ms: how long to wait before the work begins, by the inputs.
         """
         super().__init__(parent)

@@ -59,7 +59,6 @@ class Services(QObject):
 
         Args:
             field: shown where a dataset says nothing else; None: the default one.
-            cache: of pictures.
             parent: the window: with it the store goes, and with the store all that listens to it.
         """
         super().__init__(parent)

@@ -200,7 +200,6 @@ class Store(QObject):
                 compared by value, large ones by identity (`same`).
             callback: a method does not keep its object alive; any other function lives as long as
                 the store and must hold no widget.
-            when: when to call.
         """
         if select not in self._selections:
             self._selections[select] = _Selection(select, self._traced)

@@ -55,12 +55,10 @@ class Entry:
     Attributes:
         kind: what sort of thing it is, its menu or another sort, marked by ``word``.
         title: its name, as menus and panels have it.
-        run: calls it.
         detail: what it does, or where it lies.
         keys: what else calls it, as people write it.
         key: what it is remembered by as called last; "" for things of one dataset.
         on: whether it is on; None for what is neither.
-        enabled: whether it can be called now.
         english: its name in English, which finds it whatever the language.
     """
 

@@ -72,7 +72,6 @@ class KeyRow:
     Attributes:
         called: an action of the table, an element of the field, or None for a gesture.
         place: its menu, or what it is.
-        title: its name.
         keys: as people write them.
         own: the same keys in Qt's portable form.
         clash: what else they call; "" for nothing.

@@ -58,7 +58,6 @@ class IconButton(QToolButton):
         """Do what an action does, and show its name.
 
         Args:
-            action: what a click triggers.
             key_of: has the key that is shown if the action has no key.
             key: what is held for the same effect, where there is no such action either.
         """

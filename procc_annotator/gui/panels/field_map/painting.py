@@ -53,7 +53,6 @@ class Placement:
         """Lay a field into a part of a widget.
 
         Args:
-            shape: the field.
             room: the part, which it fits into at zoom 1.
             view: so many times as large, and moved by hand.
             turns: so many quarter turns clockwise.

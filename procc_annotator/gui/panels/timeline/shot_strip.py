@@ -124,11 +124,7 @@ _WAYS = {
 
 
 class ShotStrip(QWidget):
-    """Paints a `StripContent`; a click or a drag goes to frames, the wheel zooms.
-
-    Attributes:
-        content: what is shown.
-    """
+    """Paints a `StripContent`; a click or a drag goes to frames, the wheel zooms."""
 
     def __init__(self, services: Services, editor: Editor) -> None:
         super().__init__()
