@@ -256,8 +256,8 @@ def translation(camera: PinholeCamera | FisheyeCamera) -> FloatArray:
 def pinhole_from_homography(
     camera: HomographyCamera, size: tuple[int, int]
 ) -> PinholeCamera | None:
-    """The camera, in px of a picture of this (width, height) whose middle is the principal point,
-    whose ground plane a homography shows; None where its two axes determine no focal length.
+    """The camera of a homography of the ground, in px of a picture of this (width, height) with the
+    principal point in its middle; None where the homography's axes determine no focal length.
 
     The two axes of the ground are at right angles and equally long in the world; both conditions
     give the focal length, here weighed together.

@@ -37,8 +37,7 @@ class MapSummary:
 
 
 def map_summary(values: FloatArray, areas: FloatArray) -> MapSummary:
-    """The spread of a map of any shape, whose values stand for areas above 0; NaN does not
-    count."""
+    """The spread of a map of any shape; its values stand for areas above 0, NaN does not count."""
     counts = ~np.isnan(values)
     found, weights = values[counts], areas[counts]
     if not len(found):

@@ -74,8 +74,8 @@ class RadialLensCurve:
         return np.asarray(self.unit * (np.tan(t) if self.fisheye else t))
 
     def growth(self, squares: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return how undistorted places v grow whose |v| squared, solver px, are (B, N): g and w so
-        that v appears at g v, and a small step dv of it at g dv + w v (v . dv)."""
+        """Return how undistorted places v grow, by |v| squared (B, N), solver px: g and w so that v
+        appears at g v, and a small step dv of it at g dv + w v (v . dv)."""
         if not self.fisheye:
             s = squares / self.unit**2
             slope = 2 * (self.first + 2 * self.second * s) / self.unit**2

@@ -130,8 +130,8 @@ _NEARER_RATIO = 3.0  # than to where the camera shows their own element
 def classes_labelled_otherwise(
     annotation: FrameAnnotation, fit: FitResult, stretches: Iterable[VisibleStretch]
 ) -> frozenset[str]:
-    """The classes, of those whose visible stretches are given, along which another element is
-    annotated that does not belong there.
+    """The classes, of those with these visible stretches, along which another element is annotated
+    that does not belong there.
 
     Elements that really coincide in the picture are none: each lies where the camera shows it.
     """

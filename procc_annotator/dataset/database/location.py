@@ -154,8 +154,8 @@ def fallback_path_of(dataset: Path) -> Path | None:
 
 
 def open_or_fallback(dataset: Path) -> tuple[Path | None, OpenedDatabase, tuple[str, ...]]:
-    """Open a dataset's database where it belongs, else the user's own, else one in memory (whose
-    file is None); also return what the user should know.
+    """Open a dataset's database where it belongs, else the user's own, else one in memory (without
+    a file); also return what the user should know.
 
     What was kept in the user's data folder while the dataset was out of reach is taken over.
     """

@@ -256,7 +256,7 @@ def locate_in_dataset(
     search: TriangulationSettings,
     progress: Progress = lambda done, total: None,
 ) -> FoundInDataset:
-    """Triangulate landmarks of a dataset, whose field has them; safe from any thread.
+    """Triangulate landmarks of a dataset, which its field has; safe from any thread.
 
     Args:
         read: frame -> reads its annotation, of all frames that may show them.

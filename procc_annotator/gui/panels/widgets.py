@@ -151,8 +151,8 @@ class LowTable(QTableView):
 
 
 def list_rows(table: QTableView, room: int = 6) -> None:
-    """Have a table, whose model is set, look like a list: whole rows, ``room`` px higher than their
-    text, one of which may be chosen, without a grid."""
+    """Have a table with a model look like a list: whole rows, ``room`` px higher than their text,
+    one of which may be chosen, without a grid."""
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
