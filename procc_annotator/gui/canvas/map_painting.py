@@ -22,7 +22,6 @@ def paint_shapes(
     transform: QTransform,
     *,
     unit: float = 1.0,
-    opacity: float | None = None,
 ) -> None:
     """Paint bands and lines.
 
@@ -30,7 +29,6 @@ def paint_shapes(
         painter: its state is restored.
         transform: from the coordinates of the shapes to the device.
         unit: device px per point; line widths do not follow the transform.
-        opacity: of the bands, 0 to 1; as the look says if None.
     """
     look = shapes.look
     painter.save()
@@ -41,7 +39,7 @@ def paint_shapes(
     painter.setPen(Qt.PenStyle.NoPen)
     for band, colour in zip(shapes.bands, look.colours, strict=True):
         tone = QColor(colour)
-        tone.setAlphaF(look.opacity if opacity is None else opacity)
+        tone.setAlphaF(look.opacity)
         painter.setBrush(tone)
         painter.drawPath(transform.map(band))
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
