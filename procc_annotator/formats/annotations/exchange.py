@@ -215,7 +215,10 @@ class ReadContext:
         Raises:
             AnnotationError: no picture size, or no one knows it.
         """
-        size = size_from_file(width, height, path, place) or self.size_of(self.at)
+        size, shown = size_from_file(width, height, path, place), self.size_of(self.at)
+        if size is not None and size[0] != size[1] and size[::-1] == shown:
+            self.remarks.add("points of pictures as stored: EXIF data turn these pictures", self.at)
+        size = size or shown
         if size is None:
             advice = "put the picture beside it, or give the size"
             problem = "does not tell the size of the picture"
