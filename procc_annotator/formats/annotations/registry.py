@@ -31,7 +31,7 @@ from procc_annotator.formats.annotations.exchange import (
     read_files,
 )
 from procc_annotator.formats.annotations.label_map import LabelMap
-from procc_annotator.formats.annotations.labelling_tools import TOOLS, decode_lines
+from procc_annotator.formats.annotations.labelling_tools import TOOLS, decode_lines, is_via_table
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.annotations.soccernet_set import require_soccernet
 from procc_annotator.formats.file_listing import (
@@ -279,7 +279,9 @@ def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
 
 
 def detect_json_format(data: bytes) -> AnnotationFormat | None:
-    """The format of JSON; None if undetermined."""
+    """The format of JSON, or of VIA's table; None if undetermined."""
+    if is_via_table(data):
+        return format_named("via")
     content = _decoded(data)
     if is_other_json(content):
         return next(
