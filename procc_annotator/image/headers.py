@@ -85,9 +85,6 @@ def displayed_size(file: BinaryIO) -> tuple[int, int] | None:
 
     Of a png or webp the heads of all chunks are read, as EXIF may follow the pixels.
 
-    Args:
-        file: seekable.
-
     Raises:
         OSError: it cannot be read.
     """

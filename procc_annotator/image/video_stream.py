@@ -260,10 +260,6 @@ class PacketIndex:
 def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
     """Read all packets of a video, without decoding them.
 
-    Args:
-        path: the video.
-        first: times of its first frames, as of `probe_stream`.
-
     Raises:
         ImageError: it cannot be opened, or has no packets.
     """

@@ -305,10 +305,8 @@ def _runs(points: Any) -> list[list[Any]]:
 
 
 def decode_lines(data: bytes, path: str, note: Callable[[InputError], None]) -> Any:
-    """Decoded JSON; a list of the lines of a file with one value a line; VIA's CSV as its JSON.
-
-    Args:
-        data: the file. path: for messages. note: called for each damaged line of several.
+    """Decoded JSON; a list of the lines of a file with one value a line, damaged ones noted; VIA's
+    CSV as its JSON.
 
     Raises:
         AnnotationError: damaged.

@@ -188,7 +188,6 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
     """The format of a source and the files to be read, in natural order.
 
     Args:
-        source: a folder, an archive or a file.
         fmt: a name of `FORMATS` that can be read, or ``auto`` to look into the files.
 
     Raises:
@@ -381,11 +380,8 @@ class SetReader:
         """Look what there is to read.
 
         Args:
-            source: a folder, an archive or a file.
-            field: knows the official names.
             names: which classes the labels of the files stand for.
             fmt: a name of `FORMATS` that can be read, or ``auto`` to look into the files.
-            size_of: the size in px of a frame's picture, for files that do not say it.
             pictures: names of the pictures around the files, as of `ReadContext`.
             called: the name that a frame of the files has in the dataset.
 

@@ -36,9 +36,6 @@ class Table(NamedTuple):
 def decoded_content(data: bytes, path: str) -> Any:
     """The content of a file, by its first bytes and its suffix.
 
-    Args:
-        data: the file. path: for messages.
-
     Returns:
         Arrays of ``.npz`` and MATLAB files by name, JSON, JSON lines as a list, TOML, a `Table` of
         CSV, the root of XML, KITTI's matrices by name.

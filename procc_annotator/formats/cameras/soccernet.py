@@ -49,7 +49,6 @@ def camera_from(content: object, path: str, inside: str = "", nested: bool = Fal
     belong to. Other keys are kept in ``extra``.
 
     Args:
-        path: for messages. inside: where in the file it stands.
         nested: whether values may stand in lists of one.
 
     Raises:
@@ -164,9 +163,6 @@ def is_tvcalib(content: object) -> bool:
 
 def tvcalib_records(content: object, path: str) -> CameraRecords:
     """The records of a file: one a line, or all in one JSON list.
-
-    Args:
-        content: the bytes of the file, or what was decoded of it. path: for messages.
 
     A line that is no record belongs to no frame anyone knows; it is passed over with a notice.
 
