@@ -145,10 +145,11 @@ def has_packed_pictures(source: FileSource) -> bool:
 
 
 def found_instead_of_pictures(place: Path) -> str:
-    """Where the pictures of a dataset without any are; empty if nothing says so."""
+    """Where the pictures of a dataset without any are, or what it holds that is not read; empty if
+    nothing says so."""
     with open_source(place) as source:
         if not has_packed_pictures(source):
-            return ""
+            return _unread(source, source.tree())
     return f"; they are still packed: unpack each {_PACKED} into a folder v3_frames beside it"
 
 

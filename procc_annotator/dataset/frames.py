@@ -25,7 +25,11 @@ from procc_annotator.formats.annotations.registry import PLAIN, detect_json_form
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, OWN_FILES, frame_in_tree
 from procc_annotator.formats.file_source import read_optional, suffix_of, walk
 from procc_annotator.formats.frame_names import PICTURE_FOLDERS, ByFrame, FrameTable
-from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.formats.unread_formats import unread_format
+from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES, is_turned_jpeg
+from procc_annotator.messages import list_names
+
+_LOOKED_INTO = 20  # pictures of a set
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,6 +187,8 @@ def list_frames(
             f" (Ctrl+Shift+S), then name {frames_folder(path)}"
         )
     elif path.suffix.lower() not in PICTURE_SUFFIXES:
+        if (known := unread_format(path.name)) is not None:
+            raise UsageError(f"{path}: {known.problem} ({known.advice})")
         kinds = ", ".join(sorted(PICTURE_SUFFIXES))
         raise UsageError(f"{path}: not a picture (expected {kinds}) and not a folder")
     else:
@@ -194,6 +200,8 @@ def list_frames(
     notices = [*found.notices, *listing.notices]
     if remark := camera_name_remark(frame.image_file for frame in frames):
         notices.insert(0, remark)  # the window shows the first three
+    if turned := [one.name for one in frames[:_LOOKED_INTO] if is_turned_jpeg(one.image_path)]:
+        notices.append(f"{list_names(turned, 'frame')}: shown turned, as EXIF data of the file say")
     if annotations is None and not found.in_tree and not listing.beside_others:
         notices += _not_used(root, found.only_folder, frames)
     return root, frames, tuple(notices)

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from procc_annotator.dataset.annotation_source import FrameAnnotations
+from procc_annotator.dataset.diagnostics import found_instead_of_pictures
 from procc_annotator.dataset.frames import Frame, list_frames, video_frame
 from procc_annotator.dataset.layout import frames_folder
 from procc_annotator.dataset.workspace import Workspace
@@ -92,7 +93,7 @@ def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
         return PictureSource(path, frames_folder(path), frames, True, known, missing)
     root, frames, notices = list_frames(path, annotations)
     if not frames:
-        raise UsageError(f"nothing to do: no picture in {path}")
+        raise UsageError(f"nothing to do: no picture in {path}{found_instead_of_pictures(path)}")
     found = tuple(
         replace(frame, image_folder=Path(os.path.abspath(frame.image_folder))) for frame in frames
     )

@@ -63,9 +63,7 @@ def read_table(
     """The columns of a table, and of every row its line number and cells by column.
 
     Args:
-        path: of a CSV file with a header.
         required: columns that it must have.
-        advice: what the file should look like.
         data: its content; None to read it.
 
     Raises:

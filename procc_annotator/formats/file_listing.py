@@ -41,10 +41,6 @@ def other_json_among(source: FileSource, files: Mapping[str, str]) -> tuple[str,
 
     Only files with names unlike those of the others are read, the rarest kinds of names first.
     Files of whole sets of another program are other files where single frames lie next to them.
-
-    Args:
-        source: where the files are.
-        files: frame name -> file.
     """
     kinds = {frame: _NUMBER.sub("0", frame) for frame in files}
     alike = Counter(kinds.values())
@@ -142,10 +138,6 @@ CAMERAS_FOLDER = "cameras"
 
 def files_of(source: FileSource, wanted: Callable[[str], bool]) -> tuple[list[str], bool]:
     """The files of a kind in a source, in natural order, and whether it is a tree of them.
-
-    Args:
-        source: a folder, an archive or a file.
-        wanted: whether a file of this name (without folders) is of the kind.
 
     Raises:
         InputError: the source cannot be listed.

@@ -419,8 +419,6 @@ def read_file(
     """A regular file's bytes.
 
     Args:
-        path: the file; a link is followed.
-        error: what to raise.
         shown_as: how to name it to a person, unless by its path.
 
     Raises:

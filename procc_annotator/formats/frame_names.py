@@ -39,11 +39,7 @@ def posix_path(path: str) -> str:
 
 def picture_folders_of(pictures: Iterable[str]) -> frozenset[str]:
     """The folders of the pictures that one file names; none where any leads out of the dataset.
-    Frames are called by their paths where there are several.
-
-    Args:
-        pictures: their names, `slashed`.
-    """
+    Frames are called by their paths where there are several."""
     folders = frozenset(picture.rpartition("/")[0] for picture in pictures)
     return folders if all(map(_can_be_folder, folders)) else frozenset()
 

@@ -110,10 +110,6 @@ def save_landmarks(path: Path, landmarks: LandmarkFile) -> None:
 def read_landmarks(data: bytes, *, path: str) -> LandmarkFile:
     """The landmarks of a file's content.
 
-    Args:
-        data: JSON.
-        path: for errors.
-
     Raises:
         InputError: what is wrong and where (``landmarks[2].position[1]``).
     """

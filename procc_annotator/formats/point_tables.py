@@ -36,6 +36,8 @@ _PIXELS: tuple[tuple[str, FloatArray], ...] = (
 )  # fmt: skip
 _METRES = (("X Y", _POINT), ("x_m y_m", _POINT), ("x y", _POINT))
 _EXPECTED = "expected frame and {} (docs/pixels-to-metres.md)"
+# Decimals as most of Europe writes them; with three digits they may be thousands.
+_COMMA, _THOUSANDS = re.compile(r"-?\d+,\d+", re.ASCII), re.compile(r"-?\d{1,3},\d{3}", re.ASCII)
 Row = dict[str, Any]
 
 
@@ -75,7 +77,8 @@ class PointTable:
                 values[n] = [np.nan if v in (None, "") else float(v) for v in given]
             except (TypeError, ValueError):
                 problem = f"expected numbers under {', '.join(columns)}, found {json_repr(given)}"
-                raise InputError(path, problem, place=f"row {n + 1}") from None
+                advice = "decimals have a point, lists are [x, y, w, h]"
+                raise InputError(path, problem, place=f"row {n + 1}", advice=advice) from None
         frames = tuple(_frame_name(row.get(frame)) for row in rows)
         values[~np.isfinite(values)] = np.nan
         return cls(rows, frames, values @ matrix.T, tuple(columns))
@@ -114,10 +117,17 @@ def read_rows(path: Path) -> list[Row]:
         return (
             [{**row, "frame": files[row.get("image_id")]} for row in content] if files else content
         )
-    cells = [row for _, row in csv_cells(path)]
+    data = read_file(path)
+    if not re.search(rb"[,;\t]", data.lstrip().partition(b"\n")[0]):  # separated by blanks
+        data = b"\n".join(b",".join(line.split()) for line in data.splitlines())
+    cells = [row for _, row in csv_cells(path, data)]
     if cells and len(cells[0]) > 5 and all(map(is_number, cells[0])):
         return [dict(zip(_MOT, map(str.strip, row), strict=False)) for row in cells]
-    return [row for _, row in read_table(path, (), advice)[1]]
+    rows = [row for _, row in read_table(path, (), advice, data)[1]]
+    commas = {cell for row in rows for cell in row.values() if _COMMA.fullmatch(cell)}
+    if all(map(_THOUSANDS.fullmatch, commas)):  # either may be meant, or there is none
+        return rows
+    return [{k: v.replace(",", ".") if v in commas else v for k, v in r.items()} for r in rows]
 
 
 def is_number(text: str) -> bool:

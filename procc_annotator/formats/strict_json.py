@@ -51,15 +51,11 @@ def utf8_text(data: bytes, path: Path | str, error: type[InputError] = CameraErr
 
 
 def has_only_keys(data: bytes, keys: int) -> bool:
-    """Return whether JSON text certainly holds no more keys than were decoded.
+    """Return whether decoded JSON text certainly holds no more keys, of all its objects together.
 
     Fast decoders drop all but the last of repeated keys. Each key is followed by a colon; as many
     colons as decoded keys therefore prove that none was dropped. More of them may as well stand in
     texts, so that a False only means to look closer.
-
-    Args:
-        data: JSON text that was decoded.
-        keys: how many keys came out, all objects together.
     """
     return data.count(b":") == keys
 
@@ -94,9 +90,6 @@ def decode_strict(
     """The decoded value; a repeated key is an error, NaN and Infinity are let through.
 
     Args:
-        data: the file's bytes.
-        path: for error messages.
-        error: what to raise.
         parse_float: makes a number of the text of one that has a fraction or an exponent.
 
     Raises:
@@ -139,11 +132,7 @@ def decode_as(
     """The decoded value of a known type.
 
     Args:
-        data: the file's bytes.
         kind: of the value; what it does not know is left out.
-        what: the file should be, for the message.
-        path: for the message.
-        error: what to raise.
 
     Raises:
         error: it is not UTF-8, not JSON, nested too deeply, or of another type.
@@ -179,8 +168,6 @@ def convert_as(
     Args:
         value: as of `decode_strict`.
         kind: of the value.
-        path, place: the file, and where in it the value stands, for the message.
-        error: what to raise.
 
     Raises:
         error: it is of another type: the place inside it, and what was expected.

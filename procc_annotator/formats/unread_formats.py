@@ -62,6 +62,11 @@ UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
        (".xcp", ".cal", ".mcal"), (b"VICON_RADIAL", b"<OptitrackCalibration")),
     _U("ROS or Kalibr", "it has a lens without a place: add R and tvec as"
        " cv::FileStorage writes them", (), (b"distortion_model: ", b"cam_overlaps")),
+    _U("pictures in HEIC, JPEG XL, OpenEXR or of a camera's sensor", "write them as PNG, for"
+       " example with ImageMagick: magick IN.heic OUT.png", (".heic", ".heif", ".jxl", ".exr",
+       ".cr2", ".cr3", ".nef", ".arw", ".dng", ".raf", ".rw2", ".psd", ".dpx", ".svg")),
+    _U("an archive other than zip", "unpack it", (".gz", ".bz2", ".xz", ".7z", ".rar", ".tar",
+       ".tgz")),
     _U("pickles, which may run any program", _NUMPY, (".pkl", ".pickle", ".p", ".pt",
        ".pth")),
     _U("HDF5 or Parquet", _NUMPY, (".h5", ".hdf5", ".parquet"), (b"\x89HDF", b"PAR1")),

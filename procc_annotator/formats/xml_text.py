@@ -14,9 +14,6 @@ if TYPE_CHECKING:
 def parse_xml(data: bytes, path: str, error: type[InputError], advice: str) -> Element:
     """The root of a file.
 
-    Args:
-        data: the file. path: for messages. error: what to raise. advice: what to do then.
-
     Raises:
         error: damaged, or with entities or a document type.
     """

@@ -9,18 +9,21 @@ from pathlib import Path
 from typing import BinaryIO, Literal
 
 from procc_annotator.errors import ImageError
+from procc_annotator.regular_file import read_head
 
 PICTURE_SUFFIXES = frozenset({
-    ".jpg", ".jpeg", ".png", ".bmp", ".webp", ".tif", ".tiff", ".jp2", ".avif", ".gif",
+    ".jpg", ".jpeg", ".png", ".bmp", ".webp", ".tif", ".tiff", ".jp2", ".avif", ".gif", ".ppm",
+    ".pgm",
 })  # fmt: skip
 VIDEO_SUFFIXES = frozenset({
     ".mp4", ".mov", ".mkv", ".avi", ".m4v", ".ts", ".mts", ".m2ts", ".mxf", ".webm", ".mpg",
-    ".mpeg",
+    ".mpeg", ".flv", ".wmv", ".3gp", ".vob",
 })  # fmt: skip
 
 
 _MAX_ASPECT_RATIO = 20  # times the shorter side: more than any panorama
 _TIFF_SIGNATURES = (b"II*\0", b"MM\0*")
+_NETPBM = re.compile(rb"P[2356]\s" + 2 * rb"(?:\s|#[^\n]*\n)*(\d+)")
 _GIF_FRAME = re.compile(rb"\x21\xf9\x04.{4}\0\x2c", re.DOTALL)
 _PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 # Enough for every header but those with a large thumbnail in front.
@@ -59,9 +62,12 @@ def header_size(data: bytes | memoryview) -> tuple[int, int] | None:
     if bytes(data[:4]) == b"RIFF" and bytes(data[8:12]) == b"WEBP" and len(data) >= 30:
         return _webp_size(data)
     if bytes(data[:4]) in _TIFF_SIGNATURES:
-        return _tiff_size(data)
+        tags = _tiff_tags(data)
+        return (tags[256], tags[257]) if {256, 257} <= tags.keys() else None
     if bytes(data[:4]) == b"GIF8" and len(data) >= 10:
         return _little_endian(data[6:8]), _little_endian(data[8:10])
+    if (netpbm := _NETPBM.match(data[:_HEADER_BYTES])) is not None:
+        return int(netpbm[1]), int(netpbm[2])
     if bytes(data[4:8]) in (b"ftyp", b"jP  "):
         return _box_size(bytes(data[:_HEADER_BYTES]))
     return None
@@ -79,9 +85,6 @@ def displayed_size(file: BinaryIO) -> tuple[int, int] | None:
 
     Of a png or webp the heads of all chunks are read, as EXIF may follow the pixels.
 
-    Args:
-        file: seekable.
-
     Raises:
         OSError: it cannot be read.
     """
@@ -96,6 +99,16 @@ def displayed_size(file: BinaryIO) -> tuple[int, int] | None:
     else:
         turned = b"Exif" in start
     return None if turned else header_size(start)
+
+
+def is_turned_jpeg(path: Path) -> bool:
+    """Return whether EXIF data turn a JPEG, which is decoded as they say; False if unreadable."""
+    try:
+        start = read_head(path, _HEADER_BYTES)
+    except OSError:  # told where it is decoded
+        return False
+    at = start.find(b"Exif\0\0", 0, 1 << 12) if start[:2] == b"\xff\xd8" else -1
+    return at > 0 and _tiff_tags(start[at + 6 :]).get(274, 1) > 1
 
 
 def _may_have_exif(file: BinaryIO, place: int, chunk: Callable[[bytes], tuple[bytes, int]]) -> bool:
@@ -185,20 +198,19 @@ def _webp_size(data: bytes | memoryview) -> tuple[int, int] | None:
     return None
 
 
-def _tiff_size(data: bytes | memoryview) -> tuple[int, int] | None:
-    """Of the first picture: tags 256 and 257 of its directory, which may stand at the end."""
+def _tiff_tags(data: bytes | memoryview) -> dict[int, int]:
+    """The directory of the first picture, which may stand at the end."""
     order: Literal["little", "big"] = "little" if bytes(data[:2]) == b"II" else "big"
 
     def number(place: int, count: int) -> int:
         return int.from_bytes(data[place : place + count], order)
 
     place = number(4, 4)
-    found = {}
+    found = dict[int, int]()
     for entry in range(place + 2, min(place + 2 + 12 * number(place, 2), len(data) - 11), 12):
         tag, kind = number(entry, 2), number(entry + 2, 2)
-        if tag in (256, 257):
-            found[tag] = number(entry + 8, 2 if kind == 3 else 4)
-    return (found[256], found[257]) if len(found) == 2 else None
+        found[tag] = number(entry + 8, 2 if kind == 3 else 4)
+    return found
 
 
 def _box_size(data: bytes) -> tuple[int, int] | None:

@@ -71,7 +71,6 @@ def snap_to_line(
     Args:
         picture: (H, W, 4) BGRA.
         point: picture px, pixel centres are whole numbers.
-        sought: what the paint looks like.
         direction: of the line there, in px; None to find it in the picture.
         reach_px: how far the paint's middle may be.
 
@@ -193,7 +192,6 @@ def snap_points_to_lines(
         picture: (H, W, 4) BGRA.
         points: (N, 2) picture px.
         directions: (N, 2) of the lines there, or None.
-        sought: what the paint looks like.
         reach_px: how far the paint's middle may be.
 
     Returns:
@@ -280,14 +278,7 @@ def _best_confirmed_band(
 
 
 def _is_oblique_view_of(band: LineBand, angle: float, offset: float, along_px: float) -> bool:
-    """Return whether a maximum is what cuts across another direction show of a band.
-
-    Args:
-        band: that is known.
-        angle: of the direction in which the maximum was found, radians.
-        offset: how far across it, px.
-        along_px: the middle of the cuts, along that direction.
-    """
+    """Return whether a maximum is what cuts across another direction show of a band."""
     x, y = closest_offset(angle, offset)
     if math.dist((x, y), band.foot) < _DISTINCT_BAND_PX:
         return True

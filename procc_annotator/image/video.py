@@ -117,10 +117,7 @@ class Video:
         )
 
     def frame(self, number: int) -> PixelArray:
-        """A frame as (H, W, 4) uint8 BGRA, C-contiguous, opaque and read-only.
-
-        Args:
-            number: 0 is the first.
+        """A frame, counted from 0, as (H, W, 4) uint8 BGRA, C-contiguous, opaque and read-only.
 
         Raises:
             ImageError: there is no such frame, or it is damaged.
@@ -221,12 +218,7 @@ def scene_cuts(
     """The number of the first frame of each scene, 0 included; of a cancelled search those so far.
 
     Hard cuts only: a dissolve or a wipe is not one. Reads the whole video with a reader of its
-    own, so that frames can be had meanwhile.
-
-    Args:
-        video: stays open and where it is.
-        progress: called now and then with frames done and their count.
-        cancelled: asked now and then.
+    own, so that frames can be had meanwhile; progress is called with frames done and their count.
 
     Raises:
         ImageError: the file cannot be opened any more.

@@ -45,8 +45,12 @@ _BACKWARD_BYTES, _BYTES_PER_PIXEL = 256 << 20, 1.5
 _COMPARED_PACKETS = (
     12  # frames that must come out in the order of their times before these are trusted
 )
+_STATE_DURATION = "matroska", "asf", "flv"
+_NO_INDEX = "mpeg", "mxf", "asf", "flv"
 _PACKET_OVERHEAD_BYTES = 64  # between packets: at most 25 were found in mkv and avi
 _ROUNDING_S = 0.1  # what durations of containers may be off by
+_MOST_TIMELESS = 0.1  # of the packets
+_HOLE_STEPS = 2.5  # of times: recorders leave out a frame where they are late
 _SAME_STEP_TOLERANCE = 0.2  # of the usual one: times are rounded, to 1 ms in mkv
 _MAX_REORDER = 16  # packets: no codec reorders more
 _MAX_DECODE_ATTEMPTS = 1000  # packets among which a first frame must be
@@ -81,7 +85,8 @@ def require_video_file(path: Path) -> None:
     known |= head[:4] == b"RIFF" and head[8:12] == b"AVI "
     # Each packet of a transport stream begins so; those of m2ts after a time of 4 bytes.
     known |= head[:1] == head[188:189] == b"G" or head[4:5] == head[196:197] == b"G"
-    known |= head[:4] in (b"\x06\x0e\x2b\x34", b"\0\0\x01\xba")  # MXF, MPEG program stream
+    # MXF, MPEG program stream, Flash, Windows Media
+    known |= head.startswith((b"\x06\x0e\x2b\x34", b"\0\0\x01\xba", b"FLV\1", b"0&\xb2u\x8ef\xcf"))
     if not known:
         kinds = ", ".join(sorted(suffix[1:] for suffix in VIDEO_SUFFIXES))
         raise ImageError(path, f"expected a video, this is none of {kinds} inside")
@@ -255,10 +260,6 @@ class PacketIndex:
 def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
     """Read all packets of a video, without decoding them.
 
-    Args:
-        path: the video.
-        first: times of its first frames, as of `probe_stream`.
-
     Raises:
         ImageError: it cannot be opened, or has no packets.
     """
@@ -291,12 +292,18 @@ def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
         certain = kind != "avi" or len(times) >= len(stream.index_entries)
     if not shown:
         raise _open_error(path)
+    timeless = [place for place in shown if times[place] is None]
+    if kind.startswith(_NO_INDEX) and len(timeless) < _MOST_TIMELESS * len(shown):  # damaged
+        shown = [place for place in shown if times[place] is not None]
+        for place in timeless:
+            lost[place] = unread[place] = True
     own = np.array([times[place] for place in shown], dtype=np.float64)
     order = np.argsort(own)
     ordered, places = own[order], np.array(shown)[order]
     cut_off, of_all = "", f" of {declared}" if declared else ""
     ends_early = len(times) < declared or lost[-1]
-    if "matroska" in kind:  # the reader also gives up where a cluster is damaged
+    ends_early |= kind == "asf" and not duration_s  # none where the file is shorter than it says
+    if kind.startswith(_STATE_DURATION):  # readers also give up where a part is damaged
         missing_s = duration_s - last_s
         ends_early |= _is_truncated_matroska(path) or _is_gap(missing_s, ordered * unit)
     if ends_early:
@@ -308,8 +315,12 @@ def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
         numbers = np.arange(len(times))
         start = numbers == 0
         return PacketIndex(times, None, numbers, numbers[:count], start, np.array(lost), cut_off)
-    all_lost = np.array(lost)
-    known = _frame_numbers(ordered, places, unread, all_lost, certain=certain)
+    all_lost, all_unread = np.array(lost), np.array(unread)
+    if kind.startswith(_NO_INDEX):  # a hole in regular times is the only sign of what is missing
+        steps = np.diff(ordered, prepend=ordered[0]) / max(float(np.median(np.diff(ordered))), 1)
+        if (np.abs(steps - np.rint(steps)) < _SAME_STEP_TOLERANCE).all():
+            all_unread[places[steps > _HOLE_STEPS]] = True
+    known = _frame_numbers(ordered, places, all_unread, all_lost, certain=certain)
     every = np.arange(known[-1] + 1)
     times_s = np.interp(every, known, (ordered - ordered[0]) * unit)
     numbers, every_place = np.full(len(times), -1), np.full(len(every), -1)
@@ -327,11 +338,11 @@ def _end_s(packet: AnyPacket[Any]) -> float:
 def _is_gap(duration_s: float, times_s: FloatArray) -> bool:
     """Return whether a time is clearly longer than a frame of a video with these times."""
     step_s = float(np.median(np.diff(times_s))) if len(times_s) > 1 else 0.0
-    return duration_s > max(2.5 * step_s, _ROUNDING_S)
+    return duration_s > max(_HOLE_STEPS * step_s, _ROUNDING_S)
 
 
 def _frame_numbers(
-    times: FloatArray, places: _Indices, unread: list[bool], lost: _Flags, *, certain: bool
+    times: FloatArray, places: _Indices, unread: _Flags, lost: _Flags, *, certain: bool
 ) -> _Indices:
     """(n,) numbers of frames by their ascending times (n,), those left open that are missing where
     packets could not be read; adds to ``lost`` what may depend on these, or may be another frame.
@@ -343,7 +354,7 @@ def _frame_numbers(
         lost: (packets + 1,) see `PacketIndex`.
         certain: whether the times can be relied on after such a gap.
     """
-    missing, regular = _missing_frames_before(times, places, np.array(unread))
+    missing, regular = _missing_frames_before(times, places, unread)
     if missing.any() or not certain:
         gaps = np.flatnonzero(unread[:-1])
         lost[gaps - 1] = True  # what follows may be predicted from what is in the gap

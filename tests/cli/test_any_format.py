@@ -178,7 +178,7 @@ def test_annotations_instead_of_cameras_are_told_by_their_format(cli, dataset, i
             assert f"no camera in {place}; it holds annotations ({title}" in done.stderr, command
     (tmp_path / "notes.md").write_text("no cameras")
     done = cli("evaluate", dataset.annotations, tmp_path / "notes.md", code=2)
-    assert "cameras are looked for in files of .bin, .dlt2d" in done.stderr
+    assert "cameras are looked for in files of .bin, .csv, .dlt2d" in done.stderr
 
 
 @pytest.mark.parametrize("fmt", ["cvat", "coco", "soccernet-v3", "soccernet-gsr"])

@@ -38,7 +38,10 @@ def expected(cameras, x, y, name="000003"):
         ("a.csv", "frame,x,y\n3,420,300\n"),
         ("a.csv", "frame;x;y;w;h\n000003.jpg;400;210;40;90\n"),
         ("a.csv", "image,x1,y1,x2,y2\nimages/000003.png,400,210,440,300\n"),
+        ("a.csv", "frame;x;y;note\r\n3;420,00;300,0;1,234\r\n"),
+        ("a.txt", "frame  x y\n3 420.0  300\n"),
         ("gt.txt", "3,7,400,210,40,90,1,-1,-1,-1\n"),
+        ("gt.txt", "3 7 400 210  40 90 1 -1 -1 -1\n"),
         ("a.json", '[{"frame": 3, "bbox": [400, 210, 40, 90], "note": {"a": 1}}]'),
         ("a.json", '{"images": [{"id": 5, "file_name": "000003.jpg"}], "annotations":'
                    ' [{"image_id": 5, "bbox": [400, 210, 40, 90]}]}'),
@@ -99,6 +102,7 @@ def test_rows_without_a_place_stay_and_are_counted_with_their_reason(cli, camera
     [
         ("frame,a\n1,2\n", "expected frame and x, y or a box"),
         ("frame,x,y\n3,left,300\n", "row 1: expected numbers under x, y"),
+        ("frame;x;y\n3;1,234;300\n", "row 1: expected numbers under x, y"),
         ("frame,x,y\n3,1\n", "has 2 cells"),
         ("frame,x,y\n7,1,2\n", "frame 7: 2 end in this number: a_000007, b_000007"),
         ("frame,x,y\n4,1,2\n", "0 of 1 row placed"),

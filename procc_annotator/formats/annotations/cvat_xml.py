@@ -136,14 +136,7 @@ def labels_of_task(kinds: dict[str, str], writing: WriteContext) -> list[dict[st
 def document(
     labels: list[dict[str, Any]], entries: list[str], writing: WriteContext, task: Sequence[str]
 ) -> bytes:
-    """The whole file.
-
-    Args:
-        labels: as of `labels_of_task`.
-        entries: the pictures or tracks.
-        writing: knows how many frames there are.
-        task: further lines on the task.
-    """
+    """The whole file."""
     meta = _meta(labels, writing.frames, task)
     head = ['<?xml version="1.0" encoding="utf-8"?>', "<annotations>", "  <version>1.1</version>"]
     return "\n".join([*head, *meta, *entries, "</annotations>", ""]).encode()

@@ -188,12 +188,7 @@ class ReadContext:
         return self.at
 
     def begin(self, file: str, pictures: Iterable[Any] = ()) -> None:
-        """Go on with a file of many frames.
-
-        Args:
-            file: its name in the source.
-            pictures: the names of all pictures in it, as it gives them.
-        """
+        """Go on with a file of many frames."""
         self.frame_of_file(file)
         folder = file.rpartition("/")[0] if self.in_tree else ""
         self._pictures = PictureFrames(pictures, folder, self._there)
@@ -215,7 +210,10 @@ class ReadContext:
         Raises:
             AnnotationError: no picture size, or no one knows it.
         """
-        size = size_from_file(width, height, path, place) or self.size_of(self.at)
+        size, shown = size_from_file(width, height, path, place), self.size_of(self.at)
+        if size is not None and size[0] != size[1] and size[::-1] == shown:
+            self.remarks.add("points of pictures as stored: EXIF data turn these pictures", self.at)
+        size = size or shown
         if size is None:
             advice = "put the picture beside it, or give the size"
             problem = "does not tell the size of the picture"
@@ -237,12 +235,7 @@ class ReadContext:
 
     def classed(self, shapes: Sequence[Shape], frame: str) -> list[Shape]:
         """The shapes of a frame with the official names of the classes that their labels stand for;
-        those that are left out are missing.
-
-        Args:
-            shapes: label and points of each, in the order of the file.
-            frame: its name.
-        """
+        those that are left out are missing."""
         found: list[str | None] = [label for label, _ in shapes]
         if self.names is not None:
             found, remarks = self.names.classes(shapes)

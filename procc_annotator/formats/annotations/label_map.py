@@ -221,12 +221,8 @@ class LabelMap:
         return found, remarks
 
     def unmet(self, labels: Mapping[str, int], unknown: Mapping[str, int]) -> list[str]:
-        """Return the remark on rules for labels that a set does not have, where one was misspelled.
-
-        Args:
-            labels: of the set.
-            unknown: those of them that stand for no class.
-        """
+        """Return the remark on rules for labels that a set does not have, where labels without a
+        class (``unknown``) may be misspelled ones."""
         known = {label.strip() for label in labels}
         said = []
         for label in self.rules:
@@ -245,10 +241,6 @@ def _middle(points: Sequence[Point], order: str) -> float:
 
 def read_label_map(path: Path, field: Field) -> LabelMap:
     """Read a map.
-
-    Args:
-        path: of a ``labels.toml``.
-        field: has the classes that the labels stand for.
 
     Raises:
         InputError: it cannot be read, or says what makes no sense: file, line and what was
@@ -352,12 +344,7 @@ class WrittenRule:
 
 
 def label_map_text(head: Sequence[str], rules: Iterable[WrittenRule]) -> str:
-    """The text of a ``labels.toml``.
-
-    Args:
-        head: lines of a comment at its top.
-        rules: in the order they are written.
-    """
+    """The text of a ``labels.toml``."""
     lines = [*(f"# {_plain(line)}".rstrip() for line in head), "", "[labels]"]
     for one in rules:
         if one.comment:

@@ -49,6 +49,7 @@ _UPLOADED = re.compile(r".*/upload/.*?/?[0-9a-f]{8}-(?=.)|.*\?d=")  # how Label 
 _MOST_SNIFFED = 20
 _SKIPPED = ("was_cancelled", "performance_details.skipped")
 _AUTHORS = ("completed_by.email", "completed_by", "label_details.created_by")
+_BLANK = b"\xef\xbb\xbf \t\r\n"
 _VIA_HEADER = b"filename,file_size,file_attributes,region_count,region_id"
 _VIA_REGION = ("region_shape_attributes", "region_attributes")
 
@@ -304,16 +305,14 @@ def _runs(points: Any) -> list[list[Any]]:
 
 
 def decode_lines(data: bytes, path: str, note: Callable[[InputError], None]) -> Any:
-    """Decoded JSON; a list of the lines of a file with one value a line; VIA's CSV as its JSON.
-
-    Args:
-        data: the file. path: for messages. note: called for each damaged line of several.
+    """Decoded JSON; a list of the lines of a file with one value a line, damaged ones noted; VIA's
+    CSV as its JSON.
 
     Raises:
         AnnotationError: damaged.
     """
-    text = data.lstrip(b"\xef\xbb\xbf \t\r\n")
-    if text.replace(b", ", b",", 4).startswith(_VIA_HEADER):
+    text = data.lstrip(_BLANK)
+    if is_via_table(data):
         return _via_csv(text, path)
     lines = [(n, line.strip()) for n, line in enumerate(text.split(b"\n"), 1) if line.strip()]
     whole = sum(line[:1] + line[-1:] == b"{}" for _, line in lines)
@@ -327,6 +326,11 @@ def decode_lines(data: bytes, path: str, note: Callable[[InputError], None]) -> 
         return found
     content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
     return [content] if type(content) is dict and "data_row" in content else content
+
+
+def is_via_table(data: bytes) -> bool:
+    """Return whether a file is VIA's CSV, damaged or not."""
+    return data[:999].lstrip(_BLANK).replace(b", ", b",", 4).startswith(_VIA_HEADER)
 
 
 def _via_csv(data: bytes, path: str) -> dict[str, Any]:

@@ -31,7 +31,7 @@ from procc_annotator.formats.annotations.exchange import (
     read_files,
 )
 from procc_annotator.formats.annotations.label_map import LabelMap
-from procc_annotator.formats.annotations.labelling_tools import TOOLS, decode_lines
+from procc_annotator.formats.annotations.labelling_tools import TOOLS, decode_lines, is_via_table
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.formats.annotations.soccernet_set import require_soccernet
 from procc_annotator.formats.file_listing import (
@@ -188,7 +188,6 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
     """The format of a source and the files to be read, in natural order.
 
     Args:
-        source: a folder, an archive or a file.
         fmt: a name of `FORMATS` that can be read, or ``auto`` to look into the files.
 
     Raises:
@@ -279,7 +278,9 @@ def _detect_file(source: FileSource, name: str) -> AnnotationFormat | None:
 
 
 def detect_json_format(data: bytes) -> AnnotationFormat | None:
-    """The format of JSON; None if undetermined."""
+    """The format of JSON, or of VIA's table; None if undetermined."""
+    if is_via_table(data):
+        return format_named("via")
     content = _decoded(data)
     if is_other_json(content):
         return next(
@@ -379,11 +380,8 @@ class SetReader:
         """Look what there is to read.
 
         Args:
-            source: a folder, an archive or a file.
-            field: knows the official names.
             names: which classes the labels of the files stand for.
             fmt: a name of `FORMATS` that can be read, or ``auto`` to look into the files.
-            size_of: the size in px of a frame's picture, for files that do not say it.
             pictures: names of the pictures around the files, as of `ReadContext`.
             called: the name that a frame of the files has in the dataset.
 

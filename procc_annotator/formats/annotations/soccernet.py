@@ -48,11 +48,6 @@ def read_annotation(data: bytes, *, path: str, field: Field) -> FrameAnnotation:
     class's points; a top-level value that cannot be one (a text, an object, a list of plain
     values) is kept in ``extra`` and written back, unless the field knows a class of that name.
 
-    Args:
-        data: the file's bytes, UTF-8.
-        path: for error messages.
-        field: knows the official spellings.
-
     Raises:
         AnnotationError: names the place (``Circle left[3].x``) and what was expected.
     """

@@ -73,10 +73,6 @@ def has_soccernet_classes(field: Field) -> bool:
 def require_soccernet(field: Field, title: str) -> None:
     """Refuse a field that a format of SoccerNet's own has no words for.
 
-    Args:
-        field: the sports field.
-        title: of the format.
-
     Raises:
         UsageError: it is another sport's.
     """
@@ -93,7 +89,6 @@ def official_only(annotation: FrameAnnotation, field: Field) -> tuple[FrameAnnot
     Landmarks are left out wherever they are, also those without a known place.
 
     Args:
-        annotation: of a frame.
         field: the sports field; of another sport nothing is left out, for no official evaluation
             would mind.
 
@@ -113,9 +108,6 @@ def official_only(annotation: FrameAnnotation, field: Field) -> tuple[FrameAnnot
 def without_unknown_to_official(annotation: FrameAnnotation) -> tuple[FrameAnnotation, list[str]]:
     """An annotation without what the official evaluation stops at: a class it does not know, and
     entries next to the classes.
-
-    Args:
-        annotation: of a frame.
 
     Returns:
         The annotation, and what was left out, in words.

@@ -51,9 +51,6 @@ class _Element(NamedTuple):
 def matlab_content(data: bytes, path: str) -> dict[str, Any]:
     """The variables of a file by name.
 
-    Args:
-        data: the file. path: for messages.
-
     Returns:
         Arrays as nested lists without axes of length 1, a single value as itself, texts, cell
         arrays as lists, structures as objects or lists of them; None for anything else.
@@ -301,10 +298,6 @@ def array_content(data: bytes, path: str) -> dict[str, Any]:
 
 def npy_array(data: bytes, path: str, expected: str) -> NDArray[Any]:
     """The array of an ``.npy`` file, whatever its numbers are.
-
-    Args:
-        data: the file. path: for messages.
-        expected: what numbers, for messages.
 
     Raises:
         CameraError: damaged, or pickled objects.

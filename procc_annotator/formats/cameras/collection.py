@@ -120,10 +120,6 @@ class CameraCollection:
     def read(self, frame: str, field: Field | None = None) -> LoadedCamera:
         """The camera of a frame of `frames`.
 
-        Args:
-            frame: its name.
-            field: what its pictures show, where that is known; None: as of the collection.
-
         Raises:
             CameraError: the file is damaged or gone, or would be taken for one of another field.
         """

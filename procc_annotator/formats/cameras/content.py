@@ -36,9 +36,6 @@ class Table(NamedTuple):
 def decoded_content(data: bytes, path: str) -> Any:
     """The content of a file, by its first bytes and its suffix.
 
-    Args:
-        data: the file. path: for messages.
-
     Returns:
         Arrays of ``.npz`` and MATLAB files by name, JSON, JSON lines as a list, TOML, a `Table` of
         CSV, the root of XML, KITTI's matrices by name.
@@ -58,8 +55,8 @@ def decoded_content(data: bytes, path: str) -> Any:
     if is_kitti(data):
         return _kitti(data, path)
     if suffix.endswith(_LINES):
-        lines = enumerate(data.split(b"\n"), 1)
-        return [decode_fast(x, path=f"{path}: line {n}", error=CameraError) for n, x in lines if x]
+        lines = [(n, x) for n, x in enumerate(data.split(b"\n"), 1) if x.strip()]
+        return [decode_fast(x, path=f"{path}: line {n}", error=CameraError) for n, x in lines]
     return decode_fast(data, path=path, error=CameraError)
 
 
@@ -70,7 +67,7 @@ def is_xml(data: bytes) -> bool:
 
 def is_kitti(data: bytes) -> bool:
     """Return whether text is a calibration of KITTI: ``P0: 7.2e+02 0.0 ...`` on its lines."""
-    return bool(_KITTI.match(data[:4096]))
+    return bool(_KITTI.match(strip_bom(data[:4096])))
 
 
 def _kitti(data: bytes, path: str) -> dict[str, Any]:

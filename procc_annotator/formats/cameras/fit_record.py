@@ -72,11 +72,7 @@ class FitCounts:
         annotation: FrameAnnotation,
         measurement: Measurement | None = None,
     ) -> FitCounts:
-        """One camera by the digest of what it was fitted to, or without one by its residuals.
-
-        Args:
-            annotation: that it is judged by. measurement: of the annotation; None for no test.
-        """
+        """One camera by the digest of what it was fitted to, or without one by its residuals."""
         if digest is not None:
             same = digest == annotation_digest(annotation)
             return cls(int(same), int(not same))

@@ -67,11 +67,6 @@ def read_homography(data: bytes, *, path: str, convention: str) -> LoadedCamera:
     Text holds nine numbers separated by white space or commas; ``.npy`` is recognised by its
     content and never unpickled.
 
-    Args:
-        data: the file's bytes.
-        path: for error messages.
-        convention: a key of `CONVENTIONS`.
-
     Raises:
         CameraError: not nine finite numbers, or a matrix that cannot be inverted.
     """

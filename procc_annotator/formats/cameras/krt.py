@@ -159,8 +159,6 @@ def camera_of_matrices(
     """A camera from the parts a format has, in this project's world frame and metres.
 
     Args:
-        values: the file's numbers.
-        keys: how they are called there.
         size: (width, height) px of the picture; by default what the file says.
 
     Raises:

@@ -220,10 +220,6 @@ def field_mismatch(assumed: str, field: Field) -> str:
     """Why a camera cannot be taken for one of a field; empty if it can.
 
     A field of the user's own may be any, soccer too.
-
-    Args:
-        assumed: as of `LoadedCamera`.
-        field: what the pictures show.
     """
     if not assumed or field.name == assumed:
         return ""
@@ -280,7 +276,6 @@ def fit_to_size(
     """The camera in pixels of the evaluation size, and a remark when it had to be scaled.
 
     Args:
-        loaded: as read.
         size: (width, height) of the evaluation, px.
         camera_size: what the user says the camera's pixels belong to, where its file does not say.
         unsized: what they belong to where nothing says it; None for ``size``.

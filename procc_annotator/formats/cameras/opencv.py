@@ -62,7 +62,6 @@ def storage_numbers(
     """The numbers of some keys of a FileStorage, matrices as lists of rows and vectors flat.
 
     Args:
-        data: the file. path: for messages.
         wanted: given the keys that are there, those to be read.
 
     Raises:

@@ -63,9 +63,6 @@ _POSE_WORDS = 10  # id, four of the quaternion, three of t, the lens's id, the n
 def colmap_records(images: bytes, cameras: bytes, path: str, cameras_path: str) -> CameraRecords:
     """The camera of every picture of a model.
 
-    Args:
-        images, cameras: the two files. path, cameras_path: for messages.
-
     Raises:
         CameraError: damaged, or without a picture.
     """
@@ -251,9 +248,6 @@ def easymocap_records(
 ) -> CameraRecords:
     """The named cameras of a pair of files.
 
-    Args:
-        extrinsics, intrinsics: the two files. path, intrinsics_path: for messages.
-
     Raises:
         CameraError: damaged, or no camera in both.
     """
@@ -298,11 +292,8 @@ def paired_records(
     in each folder of a tree.
 
     Args:
-        formats: those of two files.
-        source: where they are.
         files: frame name, as if each file were a frame's -> file to look at.
         fmt: what was asked for: ``auto``, or a name.
-        about_to_read: called for each file of poses before it is read.
 
     Raises:
         CameraError: one of a pair is there without the other, or it was asked for and none is.

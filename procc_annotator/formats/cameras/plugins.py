@@ -61,11 +61,7 @@ def _objects(loaded: object, kind: type[F]) -> list[F]:
 
 
 def load_plugin_formats(taken: set[str]) -> tuple[tuple[CameraFormat, ...], tuple[str, ...]]:
-    """Return the camera formats of plug-ins, and one line for each that cannot be used.
-
-    Args:
-        taken: names that formats have already.
-    """
+    """Return the camera formats of plug-ins, and one line for each that cannot be used."""
     formats: list[CameraFormat] = []
     found, problems = discover(CameraFormat)
     for plugin, fmt in found:

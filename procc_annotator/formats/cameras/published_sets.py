@@ -109,9 +109,6 @@ def _annotations(content: object) -> list[dict[str, Any]]:
 def annotation_records(read: ReadRecord, content: object, path: str) -> CameraRecords:
     """The cameras of the entries ``annotation(i)`` of decoded content.
 
-    Args:
-        read: `read_set_homography` or `read_ptz`.
-
     Raises:
         CameraError: it holds no camera.
     """

@@ -63,7 +63,6 @@ def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamer
     """The one camera of a file that is read by its content.
 
     Args:
-        data: the file's bytes. path: for messages.
         name: of a row of the table; None goes by the content.
 
     Raises:
@@ -307,9 +306,7 @@ def read_camera_file(data: bytes, *, path: str, fmt: str = "auto") -> LoadedCame
     """Read a camera.
 
     Args:
-        data: the file's bytes.
         path: its name; ``auto`` goes by the suffix.
-        fmt: one of `CAMERA_FORMATS`.
 
     Raises:
         CameraError: the file is damaged or of an unknown kind.

@@ -35,7 +35,9 @@ _FOCALS = ("x_focal_length", "y_focal_length")
 _DISTORTIONS = {"radial_distortion": 6, "tangential_distortion": 2, "thin_prism_distortion": 4}
 _KEYS = frozenset((*_ANGLES, *_FOCALS, "position_meters", "principal_point", *_DISTORTIONS))
 # What PnLCalib and NBJW write again, and what this program says of a fit.
-_BESIDE = ("rotation_matrix", "fit")
+_ROTATION = "rotation_matrix"
+_BESIDE = (_ROTATION, "fit")
+_SAME_ROTATION = 1e-3
 SOCCERNET_KIND = "a SoccerNet camera"
 
 
@@ -47,7 +49,6 @@ def camera_from(content: object, path: str, inside: str = "", nested: bool = Fal
     belong to. Other keys are kept in ``extra``.
 
     Args:
-        path: for messages. inside: where in the file it stands.
         nested: whether values may stand in lists of one.
 
     Raises:
@@ -68,7 +69,20 @@ def camera_from(content: object, path: str, inside: str = "", nested: bool = Fal
     extra = {k: v for k, v in values.content.items() if k not in _KEYS}
     size = values.size() if extra else None
     notices = (*focal_warnings(fx, fy), *values.unused(*_KEYS, *_BESIDE))
+    if _contradicts(values, camera):
+        notices += (f"{_ROTATION} says something else than pan, tilt and roll, which count",)
     return LoadedCamera(camera, "pinhole", size, extra, notices, values.content)
+
+
+def _contradicts(values: JsonValues, camera: PinholeCamera) -> bool:
+    """Return whether a matrix that stands beside the angles says something else."""
+    if _ROTATION not in values:
+        return False
+    try:
+        matrix = values.matrix(_ROTATION, 3, 3)
+    except CameraError:  # no matrix: it says nothing
+        return False
+    return bool(np.abs(matrix - camera.rotation_cam_from_world).max() > _SAME_ROTATION)
 
 
 def is_soccernet(content: Mapping[str, Any]) -> bool:
@@ -149,9 +163,6 @@ def is_tvcalib(content: object) -> bool:
 
 def tvcalib_records(content: object, path: str) -> CameraRecords:
     """The records of a file: one a line, or all in one JSON list.
-
-    Args:
-        content: the bytes of the file, or what was decoded of it. path: for messages.
 
     A line that is no record belongs to no frame anyone knows; it is passed over with a notice.
 

@@ -74,8 +74,6 @@ def check_submission(
     """Look for everything that would go wrong.
 
     Args:
-        path: the archive.
-        frames: names of the annotated frames, where they are known.
         split: the folder the evaluation looks into.
 
     Raises:
@@ -311,11 +309,6 @@ def check_polylines(
     path: Path, field: Field, field_sha256: str, frames: Collection[str] | None
 ) -> list[SubmissionRemark]:
     """Look for everything that would go wrong.
-
-    Args:
-        path: the archive.
-        field: its elements count.
-        frames: names of the annotated frames, where they are known.
 
     Raises:
         InputError: the archive cannot be opened.

@@ -68,6 +68,12 @@ def test_a_soccernet_camera_is_read_and_its_extra_keys_kept():
     assert loaded.camera.radial[0] == 0.1
     assert loaded.size is None
     assert loaded.extra == {"rotation_matrix": [[1, 0, 0]]}
+    assert loaded.notices == ()
+    own = loaded.camera.rotation_cam_from_world
+    for matrix, said in ((own, []), (own.T, ["rotation_matrix says something else than pan"])):
+        data = changed(rotation_matrix=matrix.tolist())
+        notices = read_camera_file(data, path="camera_1.json").notices
+        assert [notice[:44] for notice in notices] == said
     again = json.loads(write_camera(loaded.camera, loaded.extra))
     assert again.keys() == GOOD.keys()
     for key, value in GOOD.items():

@@ -151,7 +151,7 @@ FILES: dict[str, tuple[str, Callable[[], bytes], str, Any]] = {
     "synloc": ("val.json", synloc, "7", KB),
     "opentrackio": ("sample.json", lambda: json.dumps(otio()).encode(), "sample", BENT),
     "opentrackio lines, static once": (
-        "clip.jsonl", lambda: b"\n".join(json.dumps({k: v for k, v in otio().items() if k not in
+        "clip.jsonl", lambda: b"\n \n".join(json.dumps({k: v for k, v in otio().items() if k not in
                                                      left}).encode() for left in ((), ("static",))),
         "1", BENT,
     ),
@@ -186,7 +186,8 @@ FILES: dict[str, tuple[str, Callable[[], bytes], str, Any]] = {
         "1.json", lambda: json.dumps({"K": K.tolist(), "w2c": four(pose(BENT)).tolist(),
                                       "dist": DIST.tolist()}).encode(), "1", BENT,
     ),
-    "kitti": ("calib.txt", lambda: f"P0: {' '.join(map(str, KITTI))}\n".encode(), "P0", SQUARE),
+    "kitti": ("calib.txt", lambda: f"\ufeffP0: {' '.join(map(str, KITTI))}\n".encode(),
+              "P0", SQUARE),
     "dlt3d": (
         "a.dlt3d", lambda: rows(["frame", *(f"dlt_param_{i}" for i in range(1, 12))],
                                 [0, *(v / KITTI[11] for v in KITTI[:11])]), "0", SQUARE,

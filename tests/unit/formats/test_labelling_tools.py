@@ -205,6 +205,7 @@ SKIPPED = {"result": [line()], "was_cancelled": True, "completed_by": 3}
         (f"{ROW}\n{ROW[:99]}", "8", "x.ndjson: line 2: line 1 column "),
         (f"{ROW[9:]}\r\n\r\n{ROW}\r\n", "8", "x.ndjson: line 1: line 1 column "),
         (ROW[:99], "", "x.ndjson: line 1 column "),
+        (encode_rows(VIA_ROWS).decode()[:-9], "", "x.ndjson: line 3: is no CSV"),
     ],
 )  # fmt: skip
 def test_nothing_is_dropped_without_a_word(content, frames, said, tmp_path):

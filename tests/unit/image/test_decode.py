@@ -1,5 +1,6 @@
 """Pictures of every kind become the same kind of array, anything else one clear line."""
 
+import json
 import os
 import struct
 import zlib
@@ -9,8 +10,13 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from procc_annotator.dataset.picture_sizes import picture_size
-from procc_annotator.errors import ImageError
+from procc_annotator.dataset.frames import list_frames
+from procc_annotator.dataset.picture_sizes import PictureSizes, picture_size
+from procc_annotator.dataset.sequence import open_pictures
+from procc_annotator.errors import ImageError, UsageError
+from procc_annotator.field.load import load_field
+from procc_annotator.formats.annotations.registry import SetReader
+from procc_annotator.formats.file_source import open_source
 from procc_annotator.image.decoding import decode_bgra, decode_thumbnail, read_size
 from procc_annotator.image.headers import PICTURE_SUFFIXES, displayed_size, header_size
 
@@ -84,7 +90,7 @@ def test_most_sizes_are_known_without_decoding(tmp_path, suffix):
         assert displayed_size(file) == (64, 36)
 
 
-@pytest.mark.parametrize("suffix", sorted(PICTURE_SUFFIXES - {".jpeg", ".tif"}))
+@pytest.mark.parametrize("suffix", sorted(PICTURE_SUFFIXES - {".jpeg", ".tif", ".pgm"}))
 def test_colour_pictures_become_opaque_bgra(tmp_path, suffix):
     path = tmp_path / f"frame{suffix}"
     path.write_bytes(_encode(suffix, _plain(64, 36)))
@@ -103,6 +109,35 @@ def test_sixteen_bits_are_divided_down(tmp_path, suffix):
     path = tmp_path / f"deep{suffix}"
     path.write_bytes(_encode(suffix, _plain(8, 6).astype(np.uint16) * 257))
     np.testing.assert_array_equal(decode_bgra(path)[3, 4], [*COLOUR, 255])
+
+
+def test_pictures_turned_by_exif_are_named_and_others_that_are_not_read(tmp_path):
+    (tmp_path / "a.jpg").write_bytes(_exif_jpeg(_plain(64, 36), 6))
+    (tmp_path / "b.jpg").write_bytes(_exif_jpeg(_plain(64, 36), 1))
+    box = [{"id": 0, "name": "Middle line", "keypoints": ["1"]}]
+    coco = {"images": [{"id": 1, "file_name": "a.jpg", "width": 64, "height": 36}],
+            "annotations": [{"image_id": 1, "category_id": 0, "keypoints": [3, 4, 2]}],
+            "categories": box}  # fmt: skip
+    assert "1 frame (a): shown turned, as EXIF data" in list_frames(tmp_path)[2][0]
+    (tmp_path / "coco.json").write_text(json.dumps(coco))
+    with open_source(tmp_path / "coco.json") as source:
+        sizes = PictureSizes([tmp_path]).size
+        reader = SetReader(source, load_field("soccer"), size_of=sizes)
+        assert "EXIF data turn these pictures (1 frame: a)" in reader.read_all().losses[0]
+    (tmp_path / "c").mkdir()
+    (tmp_path / "c/a.heic").write_bytes(b"0")
+    for path in ("c", "c/a.heic"):
+        with pytest.raises(UsageError, match=r"pictures in HEIC.*which is not read.*magick"):
+            open_pictures(tmp_path / path)
+
+
+def test_grey_of_netpbm_with_comments(tmp_path):
+    for head, rows in (
+        (b"P5 # it\n# is\n8\t6 255\n", bytes([77] * 48)),
+        (b"P2 8 6 255\n", b"77 " * 48),
+    ):
+        (tmp_path / "grey.pgm").write_bytes(head + rows)
+        np.testing.assert_array_equal(decode_bgra(tmp_path / "grey.pgm")[3, 4], [77, 77, 77, 255])
 
 
 def test_grey_is_spread_over_the_channels(tmp_path):
@@ -260,7 +295,7 @@ def test_the_headers_of_the_other_kinds_say_their_size(quality):
 
 
 def test_no_header_that_was_cut_off_is_more_than_an_unknown_size():
-    for suffix in PICTURE_SUFFIXES - {".tif", ".jpeg"}:
+    for suffix in PICTURE_SUFFIXES - {".tif", ".jpeg", ".pgm"}:
         data = _encode(suffix, _plain(64, 36))
         for length in range(0, len(data), 1 + len(data) // 300):
             assert header_size(data[:length]) in (None, (64, 36))
@@ -268,7 +303,7 @@ def test_no_header_that_was_cut_off_is_more_than_an_unknown_size():
 
 def test_a_picture_of_another_kind_is_refused_whatever_its_name(tmp_path):
     path = tmp_path / "renamed.png"
-    path.write_bytes(_encode(".ppm", _plain(40, 30)))
+    path.write_bytes(_encode(".hdr", _plain(40, 30).astype(np.float32)))
     with pytest.raises(ImageError, match="not jpg, png, bmp, webp"):
         decode_bgra(path)
 

@@ -147,11 +147,13 @@ def test_a_video_that_was_cut_off_has_the_frames_that_are_left_and_says_so(tmp_p
 _GROUPS = {"g": "15", "bf": "2", "sc_threshold": "0"}
 
 
-def _write_h264(path: Path, frames: list[Pixels], pixel_aspect: Fraction = Fraction(1)) -> Path:
+def _write_h264(
+    path: Path, frames: list[Pixels], pixel_aspect: Fraction = Fraction(1), code: str = "libx264"
+) -> Path:
     """As most videos are: frames predicted from later ones, a key frame every 15."""
     options = {"movflags": "faststart"} if path.suffix == ".mp4" else {}
     with av.open(str(path), "w", options=options) as container:
-        stream = container.add_stream("libx264", rate=25, options=_GROUPS)
+        stream = container.add_stream(code, rate=25, options=_GROUPS if code == "libx264" else {})
         stream.width, stream.height, stream.pix_fmt = WIDTH, HEIGHT, "yuv420p"
         stream.codec_context.sample_aspect_ratio = pixel_aspect
         for picture in frames:
@@ -169,6 +171,30 @@ def test_pixels_that_are_not_square_are_those_of_the_metadata(tmp_path, aspect):
     assert [("its pixels are 1.333 times as wide as high" in one) for one in notices] == (
         [True] if aspect > 1 else []
     )
+
+
+@pytest.mark.parametrize(
+    ("suffix", "code"),
+    [(".ts", "libx264"), (".flv", "libx264"), (".mpg", "mpeg2video"), (".mxf", "mpeg2video"),
+     (".wmv", "wmv2")],
+)  # fmt: skip
+def test_frames_behind_a_hole_keep_their_numbers(tmp_path, suffix, code):
+    path = _write_h264(tmp_path / f"a{suffix}", [_frame(n) for n in range(60)], code=code)
+    data = path.read_bytes()
+    begin, end = 4 * len(data) // 10, 6 * len(data) // 10
+    path.write_bytes(data[:begin] + bytes(end - begin) + data[end:])
+    shown = {}
+    with Video.open(path) as video:
+        assert video.frame_count == 60
+        for n in range(60):
+            with suppress(ImageError):
+                shown[n] = _number(video.frame(n))
+    assert len(shown) > 20
+    assert all(number == n for n, number in shown.items())
+    assert 59 in shown
+    path.write_bytes(data[:begin])
+    with Video.open(path) as video:
+        assert bool(video.cut_off) == (suffix in (".flv", ".wmv"))
 
 
 @pytest.mark.parametrize(
@@ -229,7 +255,7 @@ def test_a_matroska_file_that_ends_early_says_so_and_keeps_its_numbers(tmp_path,
     ("data", "problem"),
     [
         (b"", "the file is empty"),
-        (b"#EXTM3U\nhttp://example.org/video.ts\n", "none of avi, m2ts"),
+        (b"#EXTM3U\nhttp://example.org/video.ts\n", "none of 3gp, avi"),
         (b"\x00\x00\x00\x18ftypisom" + bytes(200), "cannot be opened as a video"),
         (b"RIFF\x00\x10\x00\x00AVI LIST" + bytes(200), "cannot be opened as a video"),
         (b"\x1a\x45\xdf\xa3" + bytes(200), "cannot be opened as a video"),
