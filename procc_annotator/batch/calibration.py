@@ -33,7 +33,6 @@ from procc_annotator.formats.atomic import make_folder, write_atomic
 from procc_annotator.formats.cameras.fit_record import (
     DIGEST,
     FIT_KEY,
-    SIDECAR_SUFFIX,
     UNCERTAINTY,
     LeftOutElement,
     LeftOutResult,
@@ -342,8 +341,8 @@ def save_fit(
 ) -> Path:
     """Write a fit as the camera of its frame; a fit of the frame that was saved before is replaced.
 
-    A pinhole becomes ``camera_{frame}.json`` in SoccerNet form with a further key ``fit``, a
-    homography ``{frame}.npy`` with a ``{frame}.fit`` next to it.
+    A pinhole becomes ``camera_{frame}.json`` in SoccerNet form with a further key ``fit``; the file
+    of any other ends in a comment with the same.
 
     Args:
         folder: of all saved fits; made if needed.
@@ -357,12 +356,11 @@ def save_fit(
         SaveError: writing failed, or a camera that is no saved fit is in the file's place.
         ValueError: the fit has no camera.
     """
-    name, data = camera_file(frame, fit, annotation_digest(annotation))
+    name, data = camera_file(frame, fit)
     path = folder / name
-    beside = folder / file_of_frame(frame, SIDECAR_SUFFIX)
     others = _cameras_of(folder, frame)
     for there in others:
-        if not _is_saved_fit(there, beside):
+        if not _is_saved_fit(there):
             raise SaveError(
                 f"{there}: is a camera that was not saved as a fit (move it away to save this one)"
             )
@@ -370,12 +368,10 @@ def save_fit(
     make_folder(path.parent)
     if isinstance(fit.camera, PinholeCamera):
         size = {"image_width": fit.size[0], "image_height": fit.size[1]}
-        write_atomic(path, write_camera(fit.camera, {**size, FIT_KEY: what}))
-        others = [*others, beside]
+        data = write_camera(fit.camera, {**size, FIT_KEY: what})
     else:
-        # First what it was fitted from: without it the camera could not be replaced later.
-        write_atomic(beside, (json.dumps(what, indent=2, ensure_ascii=False) + "\n").encode())
-        write_atomic(path, data)
+        data += f"# {json.dumps({FIT_KEY: what})}\n".encode()
+    write_atomic(path, data)
     for there in others:
         if there != path:  # saved with another model; a frame has one camera
             with suppress(OSError):
@@ -413,12 +409,12 @@ def _cameras_of(folder: Path, frame: str) -> list[Path]:
     return [path for path in paths if path.exists()]
 
 
-def _is_saved_fit(path: Path, beside: Path) -> bool:
+def _is_saved_fit(path: Path) -> bool:
     """Return whether a camera's file was written by `save_fit`."""
-    if path.suffix != ".json":
-        return beside.exists()
     try:
-        content = json.loads(read_file(path))
+        data = read_file(path)
+        begin = 0 if path.suffix == ".json" else data.rfind(b'# {"fit"') + 2
+        content = json.loads(data[begin:])
     except (InputError, ValueError, RecursionError):
         return False
     found = content.get(FIT_KEY) if isinstance(content, dict) else None

@@ -39,7 +39,6 @@ FIT_KEY = "fit"  # of a camera file: what it was fitted from
 UNCERTAINTY = "uncertainty"  # among that: vector and covariance of its parameters
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format
-SIDECAR_SUFFIX = ".fit"  # says it of one camera, whose own file has no place for it
 _MARK = re.compile(rb"annotation_sha256\W{1,8}([0-9a-f]{64})")
 
 
@@ -204,20 +203,12 @@ class FitDigests:
             table = self._table(folder)
             if table and (found := table.get(frame) or table.get(beside[len(folder) :])):
                 return found
-        note = self._read(beside + SIDECAR_SUFFIX)
-        return None if note is None else _digest_in(_object(note))
+        return None
 
 
 def _digest_in(found: object) -> str | None:
     digest = found.get(DIGEST) if isinstance(found, dict) else None
     return digest if isinstance(digest, str) and digest else None
-
-
-def _object(data: bytes) -> object:
-    try:
-        return json.loads(data)
-    except ValueError:
-        return None
 
 
 def _table(data: bytes | None) -> FrameTable[str]:
