@@ -112,6 +112,8 @@ def test_wrong_arguments_are_one_error_each(given, tmp_path):
     annotations, methods = given
     two = {name: methods[name] for name in ("values", "folder")}
     for match, call in (
+        ("'00001' in anna, '00002' in ben", lambda: compare_annotators(
+            {"anna": {"00001": annotations["00001"]}, "ben": {"00002": annotations["00002"]}})),
         ("no method", lambda: compare_methods(annotations, {})),
         ("by name", lambda: compare_methods(annotations, {1: methods["values"]})),
         ("at least 100", lambda: compare_methods(annotations, two, resamples=3)),
