@@ -247,7 +247,9 @@ def _pair(a: CameraSet, b: CameraSet, name: str, size: tuple[int, int]) -> Camer
         if isinstance(found.camera, ElementProjections):
             raise UsageError(
                 f"{source.name} shares only projections, there is no ground to compare"
-                f" (frame {name!r}); choose a source with a camera model"
+                f" (frame {name!r}): compare the cameras that they were written from (in Python"
+                " compare_cameras takes functions, too), or both methods by JaC on annotations:"
+                " evaluate ANNOTATIONS --cameras A --cameras B --intervals"
             )
         cameras.append(found.camera)
         notices += [f"{source.name}: {found.notice}"] if found.notice else []
