@@ -22,6 +22,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.csv_tables import unescape_formula
 from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.metrics.camera_origin import is_made_from
 from procc_annotator.metrics.measurement import Measurement, nearest_points
 from procc_annotator.metrics.statistics.independence import are_dependent, independence_evidence
 from procc_annotator.translation import word
@@ -76,6 +77,9 @@ class FitCounts:
         Args:
             annotation: that it is judged by. measurement: of the annotation; None for no test.
         """
+        shown = None if measurement is None else measurement.projected.camera
+        if measurement and shown and is_made_from(annotation, shown, measurement.setup.size):
+            return cls(these=1)
         if digest is not None:
             same = digest == annotation_digest(annotation)
             return cls(int(same), int(not same))
