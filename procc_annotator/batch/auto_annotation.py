@@ -87,14 +87,8 @@ class AnnotatePictures:
 def annotate_picture(
     name: str, picture: PixelArray, camera: PinholeCamera | HomographyCamera, field: Field
 ) -> AnnotatedPicture:
-    """The elements of a picture whose paint is seen where a camera shows them.
-
-    Args:
-        name: of the frame.
-        picture: (H, W, 4) BGRA.
-        camera: in px of the picture.
-        field: the elements, metres.
-    """
+    """The elements of a picture, (H, W, 4) BGRA, whose paint is seen where a camera, px of the
+    picture, shows them."""
     size = picture.shape[1], picture.shape[0]
     shown = field_for_frame(field, name)
     ghosts = find_ghosts(_NOTHING, shown, external_camera_fit(camera, size))

@@ -58,13 +58,7 @@ def leave_one_out(
     """The elements of a frame that the others predict, fitted without a start.
 
     An element counts if the others determine a camera (`ill_conditioned_reason` says nothing of
-    it); what has no place on the field is none.
-
-    Args:
-        annotation: what was fitted.
-        fit: to all of it.
-        setup: of the frame, at the size of the fit.
-        model: as it was asked for.
+    it); what has no place on the field is none. The setup is the frame's, at the size of the fit.
     """
     if fit.camera is None:
         return ()
@@ -191,10 +185,7 @@ def scored(
     """A frame with its fit, scored at the size it was fitted at, and added to the sums of its set.
 
     Args:
-        name: of the frame.
-        annotation: what was fitted.
-        fit: its camera, or why there is none.
-        sums: of the set; their setup, but for its size, and thresholds count.
+        sums: their setup, but for its size, and thresholds count.
         place: the position it shares with other frames, if any.
         size: that of its picture too, if it is to be reported.
     """
@@ -226,14 +217,11 @@ def scored(
 
 
 def camera_file(name: str, fit: FitResult, digest: str | None = None) -> tuple[str, bytes]:
-    """File name and content of a frame's fitted camera.
+    """File name and content of a frame's fitted camera, with the digest of the annotation if given.
 
     A pinhole becomes a SoccerNet camera that names the picture size its pixels belong to; a
     fisheye, which these cannot hold, a file of `cv::FileStorage`; a homography a .npy in the
     convention that this suffix stands for (yards, picture of 1280 x 720).
-
-    Args:
-        digest: of the annotation that was fitted, which the file then names.
     """
     if isinstance(fit.camera, HomographyCamera):
         loaded = LoadedCamera(fit.camera, "homography", fit.size, fitted_on=digest)
@@ -339,18 +327,10 @@ def fitted_folder(dataset: Path) -> Path:
 def save_fit(
     folder: Path, frame: str, annotation: FrameAnnotation, fit: FitResult, *, field: str
 ) -> Path:
-    """Write a fit as the camera of its frame; a fit of the frame that was saved before is replaced.
+    """Write a fit as its frame's camera; returns the file. A saved fit of the frame is replaced.
 
     A pinhole becomes ``camera_{frame}.json`` in SoccerNet form with a further key ``fit``; the file
     of any other ends in a comment with the same.
-
-    Args:
-        folder: of all saved fits; made if needed.
-        annotation: what was fitted.
-        field: the field's name.
-
-    Returns:
-        the camera's file.
 
     Raises:
         SaveError: writing failed, or a camera that is no saved fit is in the file's place.

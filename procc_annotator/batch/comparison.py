@@ -114,11 +114,7 @@ class ComparisonRun(SetRun[str, ComparedFrame, None]):
 
     Args:
         a: the reference of the legacy metrics.
-        b: the other source.
-        field: the sports field.
-        size: (width, height) px of the evaluation.
         frames: names of the frames of a dataset; None for all that the sources have.
-        executor: who does the work; this process unless given.
 
     Attributes:
         only_a, only_b: frames of the dataset that only one of them has.
