@@ -1,9 +1,10 @@
 # %% [markdown]
 # Judge a camera of your own: a script in cells, for a notebook, an editor, or
 #
-#     python docs/examples/judge_a_camera.py [OUT]
+#     python judge_a_camera.py [DATASET [OUT]]
 #
-# OUT is the folder of the overlay picture; without it none is written.
+# DATASET is a folder of annotations and pictures, the sample data if not given; OUT is the folder
+# of the overlay picture, without it none is written.
 
 # %% What is annotated
 import sys
@@ -14,8 +15,11 @@ import numpy as np
 
 import procc_annotator as procc
 
-SAMPLE_DATA = Path(__file__).parents[2] / "sample_data"
-dataset = procc.load_dataset(SAMPLE_DATA)
+PACKAGE = Path(procc.__file__).parent  # the sample data lie inside, in a clone beside it
+SAMPLE_DATA = next(filter(Path.is_dir, (PACKAGE / "_sample_data", PACKAGE.parent / "sample_data")))
+DATASET = Path(sys.argv[1]) if len(sys.argv) > 1 else SAMPLE_DATA  # in a notebook: a path
+OUT = Path(sys.argv[2]) if len(sys.argv) > 2 else None
+dataset = procc.load_dataset(DATASET)
 print(f"{len(dataset.annotations)} annotated frames of {dataset.field.title}")
 
 
@@ -52,7 +56,7 @@ for tau, summary in score.summaries.items():
     )
 
 # %% How surely: frames of one shot are alike, so whole shots are drawn (here: every three frames)
-shot = {name: str(int(name) // 3) for name in dataset.annotations}
+shot = {name: str(at // 3) for at, name in enumerate(dataset.annotations)}
 interval = score.intervals(shot)[5.0]["mean_jac"]
 print(f"between {interval.low:.3f} and {interval.high:.3f} in 95 of 100 such sets")
 
@@ -74,12 +78,13 @@ for element in procc.evaluate(
 
 # %% The same as a picture
 picture = procc.draw_overlay(
-    dataset.pictures[worst], dataset.annotations[worst], cameras[worst],
+    dataset.pictures.get(worst, np.zeros((540, 960, 3), np.uint8)),
+    dataset.annotations[worst], cameras[worst],
     field=dataset.field, size=(960, 540), threshold=2.0,
 )  # fmt: skip
 print("overlay", picture.shape)
-if len(sys.argv) > 1:
-    out = Path(sys.argv[1]) / f"{worst}.png"
+if OUT is not None:
+    out = OUT / f"{worst}.png"
     cv2.imwrite(str(out), picture)
     print(f"written: {out}")
 

@@ -250,7 +250,6 @@ def save_camera(
     except ValueError as error:
         other = "; save_projection keeps where a camera of any model shows the field"
         raise UsageError(f"{file}: not written: {error}{other}") from None
-    file.with_suffix(".fit").unlink(missing_ok=True)  # of a camera that was there before
     write_atomic(file, data)
     return losses
 

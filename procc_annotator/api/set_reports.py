@@ -24,7 +24,6 @@ from procc_annotator.batch.set_run import annotations_for, frames_of_all
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
-from procc_annotator.dataset.layout import annotations_of
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.figures.disagreement import DisagreementPainter
@@ -109,6 +108,7 @@ def _opened(
     methods: Mapping[str, Any],
     options: SetOptions,
     every_frame: bool = False,
+    title: str = "annotations",
 ) -> Iterator[_Opened]:
     """Annotations and methods as the commands read them; annotations that are given as values are
     written to a folder that is removed afterwards.
@@ -116,6 +116,7 @@ def _opened(
     Args:
         every_frame: whether functions are called for the frames of all methods, not only for those
             annotated.
+        title: name of annotations that have none.
     """
     if not isinstance(methods, Mapping) or not all(isinstance(name, str) for name in methods):
         raise UsageError(f"methods: expected them by name, found {kind_of(methods)}")
@@ -130,12 +131,15 @@ def _opened(
             annotations = load_dataset(annotations, field)
         if isinstance(annotations, Dataset):
             known = annotations.field if field is None else as_field(field)
-            place, pictures = annotations_of(annotations.path), annotations.pictures
-            name, frames = annotations.path.name, annotations.annotations
+            name, pictures = annotations.path.name, annotations.pictures
+            frames = annotations.annotations
         else:
-            known, place, pictures = as_field(field), folder / "annotations", {}
-            name, frames = place.name, annotations
-            _write_annotations(annotations, place)
+            known, name, pictures, frames = as_field(field), title, {}, annotations
+        place = folder / "annotations"
+        make_folder(place)
+        with open_target(place) as target:
+            for frame, one in frames.items():
+                target.write(file_of_frame(frame, ".json"), write_annotation(as_annotation(one)))
         setup = EvaluationSetup(
             known, as_size(options.get("size", DEFAULT_SIZE)), options.get("protocol", "soccernet"),
             options.get("allow_mirrored", False), options.get("off_plane", "missed"),
@@ -157,14 +161,10 @@ def _opened(
         workers = options.get("workers", 1) or None if of_files else 1
         source = opened.enter_context(open_annotations(place, known))
         executor = opened.enter_context(make_executor(workers))
-        yield _Opened(name, source, cameras, setup, own, pictures, executor, folder)
-
-
-def _write_annotations(annotations: Mapping[str, FrameAnnotation], folder: Path) -> None:
-    make_folder(folder)
-    with open_target(folder) as target:
-        for name, one in annotations.items():
-            target.write(file_of_frame(name, ".json"), write_annotation(as_annotation(one)))
+        try:
+            yield _Opened(name, source, cameras, setup, own, pictures, executor, folder)
+        except UsageError as error:  # may name the folder, which no caller knows
+            raise UsageError(str(error).replace(str(place), name)) from None
 
 
 def _require_methods(methods: object) -> None:
@@ -321,7 +321,10 @@ def compare_annotators(
         UsageError: nothing to compare. InputError: a file cannot be used.
     """
     with ExitStack() as opened:
-        every = [opened.enter_context(_opened(one, {}, options)) for one in annotators.values()]
+        every = [
+            opened.enter_context(_opened(one, {}, options, title=name))
+            for name, one in annotators.items()
+        ]
         sources, given = [one.source for one in every], check_thresholds(thresholds)
         call = every[0].setup.field, every[0].setup.size, given
         of_two = len(sources) == 2

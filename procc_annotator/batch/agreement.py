@@ -193,18 +193,14 @@ def _frames_of(files: Sequence[AnnotationFiles]) -> list[FrameOfAnnotators]:
 class AgreementRun(ConsensusRun):
     """One pass over the frames two annotators have in common; iterate it once.
 
+    Arguments and errors are those of `ConsensusRun`.
+
     Args:
-        a, b: folder or archive of annotation files of each annotator.
-        field, size, thresholds: as of `ConsensusRun`.
         among: names of frames of b, where others are not to be compared.
         own: names of frames of a, where nothing is to be reported of others.
 
     Attributes:
         only_a, only_b: names of the frames only one annotated: reported, not compared.
-
-    Raises:
-        UsageError: nothing to compare, an invalid threshold or picture size.
-        InputError: a folder or archive that cannot be listed.
     """
 
     def __init__(
@@ -258,15 +254,8 @@ class AgreementInference:
     frames: int
 
     def frames_for(self, interval: Interval | None, half: float) -> int | None:
-        """Return how many frames like these make an interval reach so far to either side.
-
-        Args:
-            interval: one of `known`.
-            half: in its unit, above 0.
-
-        Returns:
-            None without an interval, or where it has no width.
-        """
+        """Return how many frames like these make an interval, one of `known`, reach ``half`` to
+        either side; None without an interval, or where it has no width."""
         if interval is None or not interval.high > interval.low:
             return None
         reached = critical_value(self.known.effective, interval.level)
@@ -284,13 +273,8 @@ def agreement_inference(
     clusters: Clusters,
     draws: BootstrapSettings,
 ) -> AgreementInference:
-    """The figures of agreements with their intervals.
-
-    Args:
-        frames: F names, as `clusters` has them.
-        found: agreements with the frame that each is of; several of one frame are alike.
-        thresholds: tau, px. draws: says the level.
-    """
+    """The figures of agreements of F frames, as ``clusters`` has them, with their intervals;
+    several agreements of one frame are alike."""
     sums = AgreementAccumulator(thresholds)
     for name, agreement in found:
         sums.add(name, agreement)

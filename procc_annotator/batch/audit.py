@@ -88,13 +88,8 @@ def audit_frame(
 ) -> FrameAudit:
     """Keep what plots and reports need of a measured frame.
 
-    Args:
-        frame: its name.
-        camera: in px of the evaluation size.
-        model: the camera's model, for people.
-        measurement: of the frame's annotation against the camera.
-        tau: px, decides whether mirrored labels count; on a tie the labels as they are.
-        fitted: whether the camera was fitted to the annotation.
+    The camera is in px of the evaluation size; ``tau`` (px) decides whether mirrored labels count,
+    on a tie the labels as they are.
     """
     read = display_score(measurement, tau)
     labelling = read.labelling
@@ -410,13 +405,11 @@ def poses(frames: Sequence[str], audits: Mapping[str, FrameAudit]) -> SetPoses:
 
 
 def jumps(values: FloatArray) -> NDArray[np.bool_]:
-    """Return where the change from the frame before is a robust outlier among all such changes.
+    """Return where the change from the frame before, of values (F, 7) as in `SetPoses`, is a robust
+    outlier among all such changes.
 
     Eight standard deviations (from the median absolute deviation) off the median change, and never
     less than half a degree, half a metre or ten px.
-
-    Args:
-        values: (F, 7) as in `SetPoses`.
     """
     found = np.zeros(values.shape, dtype=bool)
     if len(values) < 3:

@@ -20,6 +20,7 @@ from procc_annotator.formats.cameras.loaded_camera import fit_to_size
 from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
 from procc_annotator.image.decoding import decode_bgra
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.metrics.camera_origin import with_origin
 
 _NOTHING = FrameAnnotation(())
 
@@ -86,20 +87,15 @@ class AnnotatePictures:
 def annotate_picture(
     name: str, picture: PixelArray, camera: PinholeCamera | HomographyCamera, field: Field
 ) -> AnnotatedPicture:
-    """The elements of a picture whose paint is seen where a camera shows them.
-
-    Args:
-        name: of the frame.
-        picture: (H, W, 4) BGRA.
-        camera: in px of the picture.
-        field: the elements, metres.
-    """
+    """The elements of a picture, (H, W, 4) BGRA, whose paint is seen where a camera, px of the
+    picture, shows them."""
     size = picture.shape[1], picture.shape[0]
     shown = field_for_frame(field, name)
     ghosts = find_ghosts(_NOTHING, shown, external_camera_fit(camera, size))
     found = [find_points(ghost, picture, shown, size) for ghost in ghosts]
     accepted = accept_all(_NOTHING, found)
-    return AnnotatedPicture(name, accepted.annotation, len(accepted.left))
+    marked = with_origin(accepted.annotation, camera, size)
+    return AnnotatedPicture(name, marked, len(accepted.left))
 
 
 class AnnotationRun(SetRun[Frame, AnnotatedPicture, None]):

@@ -33,7 +33,6 @@ from procc_annotator.formats.atomic import make_folder, write_atomic
 from procc_annotator.formats.cameras.fit_record import (
     DIGEST,
     FIT_KEY,
-    SIDECAR_SUFFIX,
     UNCERTAINTY,
     LeftOutElement,
     LeftOutResult,
@@ -59,13 +58,7 @@ def leave_one_out(
     """The elements of a frame that the others predict, fitted without a start.
 
     An element counts if the others determine a camera (`ill_conditioned_reason` says nothing of
-    it); what has no place on the field is none.
-
-    Args:
-        annotation: what was fitted.
-        fit: to all of it.
-        setup: of the frame, at the size of the fit.
-        model: as it was asked for.
+    it); what has no place on the field is none. The setup is the frame's, at the size of the fit.
     """
     if fit.camera is None:
         return ()
@@ -192,10 +185,7 @@ def scored(
     """A frame with its fit, scored at the size it was fitted at, and added to the sums of its set.
 
     Args:
-        name: of the frame.
-        annotation: what was fitted.
-        fit: its camera, or why there is none.
-        sums: of the set; their setup, but for its size, and thresholds count.
+        sums: their setup, but for its size, and thresholds count.
         place: the position it shares with other frames, if any.
         size: that of its picture too, if it is to be reported.
     """
@@ -227,14 +217,11 @@ def scored(
 
 
 def camera_file(name: str, fit: FitResult, digest: str | None = None) -> tuple[str, bytes]:
-    """File name and content of a frame's fitted camera.
+    """File name and content of a frame's fitted camera, with the digest of the annotation if given.
 
     A pinhole becomes a SoccerNet camera that names the picture size its pixels belong to; a
     fisheye, which these cannot hold, a file of `cv::FileStorage`; a homography a .npy in the
     convention that this suffix stands for (yards, picture of 1280 x 720).
-
-    Args:
-        digest: of the annotation that was fitted, which the file then names.
     """
     if isinstance(fit.camera, HomographyCamera):
         loaded = LoadedCamera(fit.camera, "homography", fit.size, fitted_on=digest)
@@ -340,29 +327,20 @@ def fitted_folder(dataset: Path) -> Path:
 def save_fit(
     folder: Path, frame: str, annotation: FrameAnnotation, fit: FitResult, *, field: str
 ) -> Path:
-    """Write a fit as the camera of its frame; a fit of the frame that was saved before is replaced.
+    """Write a fit as its frame's camera; returns the file. A saved fit of the frame is replaced.
 
-    A pinhole becomes ``camera_{frame}.json`` in SoccerNet form with a further key ``fit``, a
-    homography ``{frame}.npy`` with a ``{frame}.fit`` next to it.
-
-    Args:
-        folder: of all saved fits; made if needed.
-        annotation: what was fitted.
-        field: the field's name.
-
-    Returns:
-        the camera's file.
+    A pinhole becomes ``camera_{frame}.json`` in SoccerNet form with a further key ``fit``; the file
+    of any other ends in a comment with the same.
 
     Raises:
         SaveError: writing failed, or a camera that is no saved fit is in the file's place.
         ValueError: the fit has no camera.
     """
-    name, data = camera_file(frame, fit, annotation_digest(annotation))
+    name, data = camera_file(frame, fit)
     path = folder / name
-    beside = folder / file_of_frame(frame, SIDECAR_SUFFIX)
     others = _cameras_of(folder, frame)
     for there in others:
-        if not _is_saved_fit(there, beside):
+        if not _is_saved_fit(there):
             raise SaveError(
                 f"{there}: is a camera that was not saved as a fit (move it away to save this one)"
             )
@@ -370,12 +348,10 @@ def save_fit(
     make_folder(path.parent)
     if isinstance(fit.camera, PinholeCamera):
         size = {"image_width": fit.size[0], "image_height": fit.size[1]}
-        write_atomic(path, write_camera(fit.camera, {**size, FIT_KEY: what}))
-        others = [*others, beside]
+        data = write_camera(fit.camera, {**size, FIT_KEY: what})
     else:
-        # First what it was fitted from: without it the camera could not be replaced later.
-        write_atomic(beside, (json.dumps(what, indent=2, ensure_ascii=False) + "\n").encode())
-        write_atomic(path, data)
+        data += f"# {json.dumps({FIT_KEY: what})}\n".encode()
+    write_atomic(path, data)
     for there in others:
         if there != path:  # saved with another model; a frame has one camera
             with suppress(OSError):
@@ -413,12 +389,12 @@ def _cameras_of(folder: Path, frame: str) -> list[Path]:
     return [path for path in paths if path.exists()]
 
 
-def _is_saved_fit(path: Path, beside: Path) -> bool:
+def _is_saved_fit(path: Path) -> bool:
     """Return whether a camera's file was written by `save_fit`."""
-    if path.suffix != ".json":
-        return beside.exists()
     try:
-        content = json.loads(read_file(path))
+        data = read_file(path)
+        begin = 0 if path.suffix == ".json" else data.rfind(b'# {"fit"') + 2
+        content = json.loads(data[begin:])
     except (InputError, ValueError, RecursionError):
         return False
     found = content.get(FIT_KEY) if isinstance(content, dict) else None

@@ -114,11 +114,7 @@ class ComparisonRun(SetRun[str, ComparedFrame, None]):
 
     Args:
         a: the reference of the legacy metrics.
-        b: the other source.
-        field: the sports field.
-        size: (width, height) px of the evaluation.
         frames: names of the frames of a dataset; None for all that the sources have.
-        executor: who does the work; this process unless given.
 
     Attributes:
         only_a, only_b: frames of the dataset that only one of them has.
@@ -247,7 +243,9 @@ def _pair(a: CameraSet, b: CameraSet, name: str, size: tuple[int, int]) -> Camer
         if isinstance(found.camera, ElementProjections):
             raise UsageError(
                 f"{source.name} shares only projections, there is no ground to compare"
-                f" (frame {name!r}); choose a source with a camera model"
+                f" (frame {name!r}): compare the cameras that they were written from (in Python"
+                " compare_cameras takes functions, too), or both methods by JaC on annotations:"
+                " evaluate ANNOTATIONS --cameras A --cameras B --intervals"
             )
         cameras.append(found.camera)
         notices += [f"{source.name}: {found.notice}"] if found.notice else []

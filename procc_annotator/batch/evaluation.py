@@ -156,14 +156,9 @@ def run_evaluation(
     """Score every annotated frame that has a camera; yields ``digest(evaluated)`` of each.
 
     Args:
-        annotations: folder or archive of annotation files.
-        cameras: the cameras, by frame name.
-        setup: field, size, protocol.
-        thresholds: px, at least one.
         digest: computed where the frame is scored; survives the trip into a worker process (a
             module's function, a partial of one).
         camera_size: picture size the cameras refer to, where their files do not say.
-        executor: who does the work; this process unless given.
         grouping: what else to make figures by.
 
     Raises:

@@ -81,12 +81,9 @@ class FrameOrder:
         return cls(path.name, shots, numbers)
 
     def shots_of(self, frames: Iterable[str]) -> list[ShotFrames]:
-        """The shots that some frames make; frames that the table does not name are in none.
+        """The shots that frames, by name, make; those that the table does not name are in none.
 
         A row is of one frame: of that with the very name, or else of the first that it may mean.
-
-        Args:
-            frames: names.
         """
         rows, frame_of = FrameTable(self.shots), dict[str, str]()
         for frame in frames:
@@ -140,9 +137,6 @@ def shots_by_name(frames: Iterable[str]) -> list[ShotFrames]:
 
     Where numbers leave more than 25 usual steps out, another shot begins. Frames whose names do not
     end with a number follow no other.
-
-    Args:
-        frames: names.
     """
     found: dict[str, list[tuple[int, str]]] = {}
     for frame in frames:

@@ -159,13 +159,8 @@ class FitChunk(AnnotationTask):
 
 
 class SetFits(SetRun[FrameFile, IndividualFit, None]):
-    """The own fits of all frames of a set, and the groups they belong to.
-
-    Args:
-        source: the annotations.
-        field, sizes, model: how a frame is fitted.
-        groups: frame -> its group; None for one group of all.
-    """
+    """The own fits of all frames of a set, and the groups they belong to; None for one group of
+    all."""
 
     task: FitChunk
 

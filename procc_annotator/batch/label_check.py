@@ -123,14 +123,8 @@ class CheckFiles(AnnotationTask):
 def with_set_findings(
     checked: Iterable[Checked], field: Field, read: Callable[[str], FrameAnnotation]
 ) -> dict[str, FrameCheck]:
-    """The checks that get a finding once all frames are examined together: which side of the field
-    their cameras stand on.
-
-    Args:
-        checked: the frames of a set.
-        field: their elements.
-        read: the annotation of a frame by its name.
-    """
+    """The checks that get a finding once all frames of a set are examined together: which side of
+    the field their cameras stand on."""
     known = {name: found for name, found in checked if isinstance(found, FrameCheck)}
     stands = {name: found.stand for name, found in known.items() if found.stand is not None}
     return {

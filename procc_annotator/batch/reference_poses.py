@@ -56,12 +56,6 @@ def reference_poses(
     annotations: FileSource, setup: EvaluationSetup, executor: Executor | None = None
 ) -> dict[str, Pose | None]:
     """Frame -> pose of the camera fitted to its annotation; None if the clicks determine none.
-
-    Args:
-        setup: its field and size count.
-
-    Raises:
-        UsageError: there is no annotation.
-    """
+    Field and size of the setup count; UsageError if there is no annotation."""
     task = FitPoses(reopenable_source(annotations), setup)
     return dict(SetRun(annotation_files(annotations), task, executor))

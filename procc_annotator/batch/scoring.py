@@ -30,6 +30,7 @@ from procc_annotator.formats.cameras.fit_record import (
 from procc_annotator.formats.cameras.loaded_camera import fit_to_size
 from procc_annotator.formats.strict_json import printable
 from procc_annotator.messages import first_names, list_names
+from procc_annotator.metrics.camera_origin import origins
 from procc_annotator.metrics.measurement import Measurement, measure_frames
 from procc_annotator.metrics.projection import projections_error
 from procc_annotator.metrics.score import FrameScore, score
@@ -110,6 +111,7 @@ class AnnotationNotes:
 
     in_pixels: list[str] = field(default_factory=list)
     empty: list[str] = field(default_factory=list)
+    of_cameras: list[str] = field(default_factory=list)
     without_place: list[str] = field(default_factory=list)
     classes: Counter[str] = field(default_factory=Counter)
 
@@ -122,6 +124,8 @@ class AnnotationNotes:
         strange = [n for n in annotation.annotated if known.canonical_name(n) not in known.index]
         if pixel_like(annotation) is not None:
             self.in_pixels.append(frame)
+        if origins(annotation):
+            self.of_cameras.append(frame)
         if not annotation.annotated:
             self.empty.append(frame)
         if strange:
@@ -132,6 +136,7 @@ class AnnotationNotes:
         """Add those of the frames that follow."""
         self.in_pixels += other.in_pixels
         self.empty += other.empty
+        self.of_cameras += other.of_cameras
         self.without_place += other.without_place
         self.classes.update(other.classes)
 
@@ -144,6 +149,9 @@ class AnnotationNotes:
         if self.empty:
             frames = list_names(self.empty, "frame")
             found.append(f"no element is annotated in {frames}: whatever a camera shows is wrong")
+        if self.of_cameras:
+            frames = list_names(self.of_cameras, "frame")
+            found.append(f"points of {frames} come from cameras, which count as fitted on them")
         if self.without_place:
             names = first_names([*map(printable, self.classes)])
             frames = list_names(self.without_place, "frame")

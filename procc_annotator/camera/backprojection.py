@@ -26,7 +26,8 @@ _MIN_STEP_SHARE = 1 / 64
 _CONVERGED_M = 1e-9
 _REACHED_PX = 1e-5
 _DIFFERENCE_STEP_M = 1e-3
-_CELLS = 64  # along the longer side of the pixels
+_ONE_KD_TREE = 4  # of the algorithms of OpenCV's FLANN
+_FARTHEST_PX = 1e6
 # Where to start, and how far the ground counts: dense about the field, then coarser. Farther out
 # the ground is next to the horizon, where folds of a lens model can no longer be distinguished.
 MAX_GROUND_DISTANCE_M = 300.0
@@ -45,26 +46,29 @@ _START_HEIGHTS_M = (0.0, -3.0, -12.0, -40.0)
 _START_COUNT = 6
 
 
-def projection_jacobian(camera: Camera, points_world: FloatArray) -> tuple[FloatArray, FloatArray]:
+def projection_jacobian(
+    camera: Camera, points_world: FloatArray, free: int = 3
+) -> tuple[FloatArray, FloatArray]:
     """Project places, with derivatives by the place from differences.
 
     Args:
         points_world: (N, 3) metres.
+        free: coordinates to derive by, of x, y, z.
 
     Returns:
-        (N, 2) px and (N, 2, 3) px a metre; NaN where the camera shows nothing. Next to the edge of
-        what it shows the differences are one-sided.
+        (N, 2) px and (N, 2, free) px a metre; NaN where the camera shows nothing. Next to the edge
+        of what it shows the differences are one-sided.
     """
     points = np.asarray(points_world, dtype=np.float64)
-    steps = _DIFFERENCE_STEP_M * np.concatenate((np.zeros((1, 3)), np.eye(3), -np.eye(3)))
+    steps = _DIFFERENCE_STEP_M * np.vstack((np.zeros(3), np.eye(3)[:free], -np.eye(3)[:free]))
     px, shown = camera.project((points[:, None] + steps).reshape(-1, 3))
     shown = shown & np.isfinite(px).all(axis=1)
-    px = np.where(shown[:, None], px, np.nan).reshape(len(points), 7, 2)
-    shown = shown.reshape(len(points), 7)
+    px = np.where(shown[:, None], px, np.nan).reshape(-1, len(steps), 2)
+    shown = shown.reshape(-1, len(steps))
     middle = px[:, :1]
-    ahead = np.where(shown[:, 1:4, None], px[:, 1:4], middle)
-    back = np.where(shown[:, 4:, None], px[:, 4:], middle)
-    width = _DIFFERENCE_STEP_M * np.maximum(shown[:, 1:4].astype(int) + shown[:, 4:], 1)
+    is_ahead, is_back = np.split(shown[:, 1:], 2, axis=1)
+    ahead, back = np.split(np.where(shown[:, 1:, None], px[:, 1:], middle), 2, axis=1)
+    width = _DIFFERENCE_STEP_M * np.maximum(is_ahead.astype(int) + is_back, 1)
     return px[:, 0], ((ahead - back) / width[:, :, None]).transpose(0, 2, 1)
 
 
@@ -84,12 +88,12 @@ def places_by_newton(
     """
     found = np.full_like(starts, np.nan)
     rows, places, share = np.arange(len(starts)), starts.copy(), np.ones(len(starts))
-    px, slopes = projection_jacobian(camera, places)
+    px, slopes = projection_jacobian(camera, places, free)
     for _ in range(_NEWTON_ITERATIONS):
         off = points_px[rows] - px
         error = np.hypot(off[:, 0], off[:, 1])
         usable = np.isfinite(slopes).all(axis=(1, 2))
-        step = share[:, None] * _least_step(slopes[:, :, :free], off)
+        step = share[:, None] * _least_step(slopes, off)
         # At the horizon a pixel is worth any distance: there the share of it counts.
         reach = _CONVERGED_M * np.maximum(1.0, np.hypot(places[:, 0], places[:, 1]) / 10)
         settled = (np.abs(step).max(axis=1) <= reach) | (share < _MIN_STEP_SHARE)
@@ -102,7 +106,7 @@ def places_by_newton(
         px, slopes, error = px[going], slopes[going], error[going]
         tried = places.copy()
         tried[:, :free] += step[going]
-        tried_px, tried_slopes = projection_jacobian(camera, tried)
+        tried_px, tried_slopes = projection_jacobian(camera, tried, free)
         left = tried_px - points_px[rows]
         better = np.hypot(left[:, 0], left[:, 1]) < error  # False for NaN
         places = np.where(better[:, None], tried, places)
@@ -130,7 +134,7 @@ def ground_by_search(camera: Camera, points_px: FloatArray) -> FloatArray:
     x, y = np.meshgrid(_GRID_AXIS_M, _GRID_AXIS_M)
     nodes = np.column_stack((x.ravel(), y.ravel(), np.zeros(x.size)))
     with np.errstate(all="ignore"):
-        nodes_px, slopes = projection_jacobian(camera, nodes)
+        nodes_px, slopes = projection_jacobian(camera, nodes, 2)
         part = _part_of_ground(nodes_px, slopes, points_px[rows])
         if not part.any():
             return ground
@@ -147,13 +151,12 @@ def ground_by_search(camera: Camera, points_px: FloatArray) -> FloatArray:
 
 
 def _nearest_nodes(nodes_px: FloatArray, points_px: FloatArray) -> IntArray:
-    """(N,) node that appears nearest to the middle of each pixel's cell, of some 64 x 64 cells."""
-    low = points_px.min(axis=0)
-    width = max(float((points_px.max(axis=0) - low).max()) / _CELLS, 1e-6)
-    cells, of_point = np.unique(np.floor((points_px - low) / width), axis=0, return_inverse=True)
-    middles = low + (cells + 0.5) * width
-    off = (((middle - nodes_px) ** 2).sum(axis=1) for middle in middles)
-    return np.array([int(np.argmin(squares)) for squares in off])[of_point]
+    """(N,) node that appears nearest to each pixel."""
+    both = np.clip(nodes_px, -_FARTHEST_PX, _FARTHEST_PX), points_px
+    nodes, points = (np.ascontiguousarray(px, dtype=np.float32) for px in both)
+    tree = cv2.flann.Index(nodes, {"algorithm": _ONE_KD_TREE})
+    nearest = tree.knnSearch(points, 1, params={"checks": -1})[0]  # -1: exact
+    return np.asarray(nearest.ravel(), dtype=np.intp)
 
 
 def _part_of_ground(nodes_px: FloatArray, slopes: FloatArray, points_px: FloatArray) -> BoolArray:
@@ -163,7 +166,7 @@ def _part_of_ground(nodes_px: FloatArray, slopes: FloatArray, points_px: FloatAr
     no pixel means that. So only one connected part of the ground counts, seen from one side: that
     of which most appears among the pixels in question.
     """
-    side = np.nan_to_num(np.sign(np.linalg.det(slopes[:, :, :2])))
+    side = np.nan_to_num(np.sign(np.linalg.det(slopes)))
     low, high = points_px.min(axis=0), points_px.max(axis=0)
     margin = 0.1 * (high - low).max() + 1
     among = ((nodes_px >= low - margin) & (nodes_px <= high + margin)).all(axis=1)
@@ -200,10 +203,10 @@ def ground_covariance(camera: Camera, ground: FloatArray, covariance_px: FloatAr
     """Covariance (N, 2, 2), square metres, of ground points (N, 2), metres, from that of their
     pixels, (N, 2, 2) or (2, 2) square px, to first order; NaN for points that the camera does not
     show."""
-    slopes = projection_jacobian(camera, np.column_stack((ground, np.zeros(len(ground)))))[1]
+    slopes = projection_jacobian(camera, np.column_stack((ground, np.zeros(len(ground)))), 2)[1]
     with np.errstate(invalid="ignore"):
-        singular = ~(np.abs(np.linalg.det(slopes[:, :, :2])) > 0)  # also NaN
-    by_pixel = np.linalg.inv(np.where(singular[:, None, None], np.eye(2), slopes[:, :, :2]))
+        singular = ~(np.abs(np.linalg.det(slopes)) > 0)  # also NaN
+    by_pixel = np.linalg.inv(np.where(singular[:, None, None], np.eye(2), slopes))
     by_pixel[singular] = np.nan
     return np.asarray(by_pixel @ covariance_px @ by_pixel.transpose(0, 2, 1))
 

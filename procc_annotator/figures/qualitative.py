@@ -8,7 +8,7 @@ from typing import Any
 from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 
-from procc_annotator.errors import printable
+from procc_annotator.errors import UsageError, printable
 from procc_annotator.figures.overlay import (
     MARKERS,
     draw_picture,
@@ -30,6 +30,7 @@ _GAP = 4.0  # px between cells
 _ENTRY = 240.0  # px of an entry of the legend
 _POINTS_WIDE = 420.0  # points of an overlay in the width of a cell: half the picture on screen
 _SHARPEST_PX_PER_INCH = 300.0
+_HIGHEST = 5  # times as high as wide
 _RIM = withStroke(linewidth=2.2, foreground=palette.OUTLINE)  # white lines on white paper
 
 
@@ -45,7 +46,7 @@ def qualitative_figure(
         width_in: inches, of the whole figure.
 
     Raises:
-        ImageError: a picture cannot be decoded.
+        ImageError: a picture cannot be decoded. UsageError: too many frames for one figure.
     """
     pictures = [pixels_of(scenes[0]) for scenes in rows]
     width, side = width_in * _DPI, _LINE + 2
@@ -55,6 +56,13 @@ def qualitative_figure(
     columns = max(1, min(len(entries), int(width // _ENTRY)))
     below = _LINE * (2 + -(-len(entries) // columns))
     height = _LINE + sum(heights) + _GAP * (len(rows) - 1) + below
+    if height > _HIGHEST * width:
+        fit = int(len(rows) * _HIGHEST * width / height)
+        raise UsageError(
+            f"{len(rows)} frames make a figure of {width_in:g} x {height / _DPI:.0f} inches,"
+            f" expected at most {_HIGHEST} times as high as wide: take at most {fit} frames"
+            " (--count), or several figures of some frames each (--frame)"
+        )
     with figure_style():
         figure = pixel_figure(width, height)
         y = _LINE

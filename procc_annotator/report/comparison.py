@@ -356,13 +356,7 @@ def comparison_intervals_table(
     described: str,
     name: str = "intervals",
 ) -> MetricTable:
-    """Every figure of a comparison with its interval.
-
-    Args:
-        frames: those compared. clusters: of them. draws: says the level.
-        names: of the two sources. described: field and size.
-        name: of the sheet.
-    """
+    """Every figure of a comparison with its interval, of compared frames and their clusters."""
     known, medians = (
         metrics_with_intervals(frames, clusters, draws),
         medians_with_intervals(frames, clusters, draws),
@@ -396,13 +390,8 @@ def closer_method_table(
     names: tuple[str, str, str],
     described: str,
 ) -> MetricTable:
-    """Which of two sources is nearer to a third, figure by figure.
-
-    Args:
-        pair: the comparisons of each with the third, of the same frames. clusters: of these.
-        names: of the third, and of the two.
-        described: field and size.
-    """
+    """Which of two sources is nearer to a third, figure by figure; ``pair`` has the comparisons of
+    each with the third (the first of the names), of the same frames."""
     found = closer_source(pair[0], pair[1], clusters, draws)
     columns = (
         Column("figure", "figure"),

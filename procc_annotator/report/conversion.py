@@ -322,12 +322,9 @@ def export_polylines(
     camera_size: tuple[int, int] | None = None,
     progress: Callable[[int, int], None] = lambda done, total: None,
 ) -> ConvertedCameras:
-    """Write where cameras show the elements, with a manifest.
+    """Write where cameras of any model show the elements, with a manifest.
 
     Args:
-        cameras: of any model.
-        out: a ``.zip``.
-        setup: field, protocol and size it is to be evaluated with.
         method: its name in tables.
         frames: names of the frames that are to be judged; those of the cameras unless given.
         camera_size: the picture size pixels belong to, where camera files do not say.

@@ -185,9 +185,6 @@ def export_scores(
     """Write the JaC of every annotated frame to one ``.json`` or ``.csv`` file.
 
     Args:
-        frames: of the dataset.
-        out: the file.
-        scoring: what to score with.
         progress: called with frames done and frames in all.
         only: frames whose score may be known; None for all.
 

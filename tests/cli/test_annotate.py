@@ -1,7 +1,8 @@
 """``procc-annotator annotate``: the paint under given cameras, as proposed, over nothing."""
 
+import json
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import pytest
@@ -110,6 +111,26 @@ def test_the_paint_under_the_cameras_becomes_annotations(cli, match):
         assert score.tp >= 3
         assert score.max_error is not None
         assert score.max_error < 1.5
+
+
+def test_the_cameras_that_made_annotations_take_no_rank_against_them(cli, match, tmp_path):
+    cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras)
+    cli("convert", match.cameras, tmp_path / "krt", "--to", "krt")
+    (tmp_path / "own").mkdir()
+    for number, camera in enumerate(match.shot.cameras):
+        moved = replace(camera, pan_rad=camera.pan_rad + 1e-3).scaled(SIZE, (960, 540))
+        (tmp_path / "own" / f"camera_{number:05d}.json").write_bytes(write_camera(moved))
+    (match.annotations / "00000.json").write_text(
+        (match.annotations / "00000.json").read_text().replace("0.", "0.0", 1)  # a point was moved
+    )
+    out = tmp_path / "scores.json"
+    methods = [f"{name}={tmp_path / name}" for name in ("cameras", "krt", "own")]
+    done = cli(
+        "evaluate", match.annotations, *(a for m in methods for a in ("--cameras", m)), "-o", out
+    )
+    marks = [e.get("fitted_on_these_clicks") for e in json.loads(out.read_bytes())["evaluations"]]
+    assert marks == [FRAMES, FRAMES, None]
+    assert f"points of {FRAMES} frames (00000, 00001, 00002) come from cameras" in done.stderr
 
 
 def test_their_points_are_proposed_wherever_the_set_is_opened(cli, match, tmp_path):

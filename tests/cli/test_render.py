@@ -202,3 +202,7 @@ def test_a_figure_of_frames_and_methods(cli, dataset, tmp_path, suffix):
         assert data.startswith({".pdf": b"%PDF", ".png": b"\x89PNG"}[suffix])
     none = cli("figure", dataset.root, tmp_path / "x.png", *methods, "--frame", "7", code=2)
     assert "has no frame '7'" in none.stderr
+    nine = ["--frame", "3"] * 9
+    long = cli("figure", dataset.root, tmp_path / "x.png", *methods[:2], *nine, code=2)
+    assert "9 frames make a figure of 7 x 36 inches" in long.stderr
+    assert "at most 8 frames (--count)" in long.stderr

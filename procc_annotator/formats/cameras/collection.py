@@ -14,7 +14,6 @@ from procc_annotator.errors import CameraError, InputError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import (
     LEFT_OUT_FILE,
-    SIDECAR_SUFFIX,
     TABLE_FILE,
     FitDigests,
     LeftOutTables,
@@ -168,9 +167,6 @@ class CameraCollection:
         """Files next to the cameras that give what they were fitted to, as names in the source."""
         folders = {folder for file in self.frames.values() for folder in folders_of(file)}
         names = {folder + name for folder in folders for name in (TABLE_FILE, LEFT_OUT_FILE)}
-        for frame, file in self.frames.items():
-            own = self.frames.name_there(frame) or frame
-            names.add(file[: file.rfind("/") + 1] + own.rpartition("/")[2] + SIDECAR_SUFFIX)
         return sorted(names & self._all_files)
 
     @cached_property
@@ -182,12 +178,8 @@ class CameraCollection:
     def _read_beside(self, file: str) -> bytes | None:
         """The content of a file of the source; None if there is no readable one."""
         try:
-            if file in self._all_files:
-                return self._source.read(file)
-            beside = self.path.parent / PurePosixPath(file).name  # of a file that was named alone
-            alone = file.endswith(SIDECAR_SUFFIX) and self.path.is_file() and beside.is_file()
-            return beside.read_bytes() if alone else None
-        except (InputError, OSError):  # gone, or damaged: it says nothing
+            return self._source.read(file) if file in self._all_files else None
+        except InputError:  # gone, or damaged: it says nothing
             return None
 
     def __enter__(self) -> Self:

@@ -22,6 +22,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.csv_tables import unescape_formula
 from procc_annotator.formats.frame_names import FrameTable
+from procc_annotator.metrics.camera_origin import is_made_from
 from procc_annotator.metrics.measurement import Measurement, nearest_points
 from procc_annotator.metrics.statistics.independence import are_dependent, independence_evidence
 from procc_annotator.translation import word
@@ -39,7 +40,6 @@ FIT_KEY = "fit"  # of a camera file: what it was fitted from
 UNCERTAINTY = "uncertainty"  # among that: vector and covariance of its parameters
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format
-SIDECAR_SUFFIX = ".fit"  # says it of one camera, whose own file has no place for it
 _MARK = re.compile(rb"annotation_sha256\W{1,8}([0-9a-f]{64})")
 
 
@@ -72,7 +72,14 @@ class FitCounts:
         annotation: FrameAnnotation,
         measurement: Measurement | None = None,
     ) -> FitCounts:
-        """One camera by the digest of what it was fitted to, or without one by its residuals."""
+        """One camera by the digest of what it was fitted to, or without one by its residuals.
+
+        Args:
+            annotation: that it is judged by. measurement: of the annotation; None for no test.
+        """
+        shown = None if measurement is None else measurement.projected.camera
+        if measurement and shown and is_made_from(annotation, shown, measurement.setup.size):
+            return cls(these=1)
         if digest is not None:
             same = digest == annotation_digest(annotation)
             return cls(int(same), int(not same))
@@ -200,20 +207,12 @@ class FitDigests:
             table = self._table(folder)
             if table and (found := table.get(frame) or table.get(beside[len(folder) :])):
                 return found
-        note = self._read(beside + SIDECAR_SUFFIX)
-        return None if note is None else _digest_in(_object(note))
+        return None
 
 
 def _digest_in(found: object) -> str | None:
     digest = found.get(DIGEST) if isinstance(found, dict) else None
     return digest if isinstance(digest, str) and digest else None
-
-
-def _object(data: bytes) -> object:
-    try:
-        return json.loads(data)
-    except ValueError:
-        return None
 
 
 def _table(data: bytes | None) -> FrameTable[str]:

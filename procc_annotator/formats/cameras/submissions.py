@@ -19,7 +19,6 @@ from natsort import natsorted
 from procc_annotator.camera.base import CameraOrProjections
 from procc_annotator.errors import CameraError, InputError, UsageError
 from procc_annotator.field.model import Field
-from procc_annotator.formats.cameras.fit_record import SIDECAR_SUFFIX
 from procc_annotator.formats.cameras.registry import read_camera_file
 from procc_annotator.formats.cameras.soccernet import camera_from
 from procc_annotator.formats.file_listing import (
@@ -328,11 +327,7 @@ def check_polylines(
             found.append(_refused("", problem))
         found += _frames_remarks(files, frames, "are missing")
         known = {*files.values(), MANIFEST_FILE, ""}
-        others = [
-            n
-            for n in archive.names()
-            if not (n.removeprefix("./") in known or n.endswith(SIDECAR_SUFFIX))
-        ]
+        others = [n for n in archive.names() if n.removeprefix("./") not in known]
         if others:
             found.append(_ignored("", f"{_listed(others)} of no frame"))
         for name in files.values():

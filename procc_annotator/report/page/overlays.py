@@ -75,13 +75,8 @@ class ChosenFrames:
 
 
 def choose_frames(report: AuditReport, worst: int, lot: int, seed: int) -> ChosenFrames:
-    """The worst frames of every source, and some drawn at random from all that have a score.
-
-    Args:
-        worst: frames a source: lowest JaC first, among equals the largest mean error.
-        lot: frames drawn at random; the same for the same set and seed.
-        seed: of the lot.
-    """
+    """The worst frames of every source (lowest JaC first, among equals the largest mean error), and
+    some drawn at random from all that have a score."""
     scored = [name for name in report.frames if any(name in s.audits for s in report.evaluated)]
     drawn = set(random.Random(seed).sample(scored, min(lot, len(scored))))
     return ChosenFrames(
@@ -101,15 +96,7 @@ def _worst(source: ReportedSource, tau: float, count: int) -> tuple[str, ...]:
 
 
 class OverlayDrawer:
-    """Draws frames under sources; what cannot be read is listed, never fatal.
-
-    Args:
-        report: gathered.
-        annotations: the source of annotation files it was gathered from.
-        sources: the cameras of its sources, by name.
-        pictures: frame -> picture, for frames that have one.
-        painter: paints a scene as JPEG.
-    """
+    """Draws frames under sources, as JPEG; what cannot be read is listed, never fatal."""
 
     def __init__(
         self,

@@ -64,15 +64,8 @@ class ReportedPair:
 
 
 class Pairs:
-    """Compares pairs of sources, each once however often it is asked for.
-
-    Args:
-        sources: by name.
-        field, size: of the evaluation.
-        frames: names of the annotated frames.
-        executor: shares the work; None does it here.
-        progress: wraps the frames as they come.
-    """
+    """Compares pairs of sources on the annotated frames, each once however often it is asked
+    for."""
 
     def __init__(
         self,

@@ -251,15 +251,7 @@ def gather_report(
     work: ReportWork | None = None,
     chance: InferenceSettings | None = None,
 ) -> AuditReport:
-    """Evaluate every source, exactly as `evaluate` does.
-
-    Args:
-        dataset: its name in the report.
-        annotations: folder or archive of annotation files.
-        sources: at least one; of a source with nothing to evaluate the report says why.
-        setup: field, size, protocol.
-        thresholds: px, the leading one first.
-        chance: how it is asked what is beyond chance.
+    """Evaluate every source, exactly as `evaluate` does; the report says why one cannot be.
 
     Raises:
         UsageError: no source has anything to evaluate.

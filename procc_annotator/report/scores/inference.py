@@ -135,16 +135,8 @@ def statistical_result(
     of_set: tuple[str, Field],
     described: str,
 ) -> StatisticalResult:
-    """Return what chance leaves of some sources.
-
-    Args:
-        certainty: of the sources. summaries: the figures of each, by threshold.
-        of_set: its name and field.
-        described: protocol, size and options.
-
-    Raises:
-        UsageError: it is to be broken down by what is known of no frame.
-    """
+    """Return the inference over methods, with the summaries of each by threshold; UsageError if it
+    is to be broken down by what is known of no frame."""
     sheets = inference_tables(certainty, summaries, described, power=terms.power)
     if terms.noise is not None:
         sheets += annotation_noise_tables(certainty, terms.noise, described)

@@ -43,7 +43,7 @@ def given(sample_data):
 
 
 @pytest.mark.parametrize("protocol", ["soccernet", "procc"])
-def test_methods_in_any_form_have_the_figures_of_the_set(given, protocol):
+def test_methods_in_any_form_have_the_figures_of_the_set(given, sample_data, protocol):
     annotations, methods = given
     found = compare_methods(
         annotations, methods, thresholds=5, resamples=200, protocol=protocol, planar_only=True
@@ -53,6 +53,10 @@ def test_methods_in_any_form_have_the_figures_of_the_set(given, protocol):
         summary, expected = one["summary"]["5"], own.summaries[5.0]
         assert summary["mean_jac"] == expected.mean_jac
         assert summary["mean_error"] == expected.mean_error
+    few = dict(list(annotations.items())[:3])
+    changed = replace(load_dataset(sample_data), annotations=few)
+    (own,) = compare_methods(changed, {"list": methods["list"][:3]}, resamples=100)["evaluations"]
+    assert len(own["images"]) == 3
     chance = found["chance"][0]
     assert len(chance["differences"]["rows"]) == 6
     assert len(chance["intervals"]["rows"]) == 4
@@ -112,6 +116,8 @@ def test_wrong_arguments_are_one_error_each(given, tmp_path):
     annotations, methods = given
     two = {name: methods[name] for name in ("values", "folder")}
     for match, call in (
+        ("'00001' in anna, '00002' in ben", lambda: compare_annotators(
+            {"anna": {"00001": annotations["00001"]}, "ben": {"00002": annotations["00002"]}})),
         ("no method", lambda: compare_methods(annotations, {})),
         ("by name", lambda: compare_methods(annotations, {1: methods["values"]})),
         ("at least 100", lambda: compare_methods(annotations, two, resamples=3)),

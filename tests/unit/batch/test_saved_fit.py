@@ -57,8 +57,8 @@ def test_it_is_a_camera_like_any_other(tmp_path, clicks, sample_data, pinhole):
 def test_a_frame_has_one_saved_fit(tmp_path, clicks, pinhole, homography):
     for fit, files in (
         (pinhole, {"camera_a.json"}),
-        (homography, {"a.npy", "a.fit"}),
-        (homography, {"a.npy", "a.fit"}),
+        (homography, {"a.npy"}),
+        (homography, {"a.npy"}),
         (pinhole, {"camera_a.json"}),
     ):
         save_fit(tmp_path, "a", clicks, fit, field=FIELD.name)
@@ -77,9 +77,7 @@ def test_what_it_was_fitted_to_is_known_in_folders_too(
     with CameraCollection.open(tmp_path) as cameras:
         assert list(cameras.frames) == frames
         told = [cameras.read(frame).fitted_on for frame in frames]
-        beside = cameras.beside()
     assert told == [annotation_digest(clicks)] * len(frames)
-    assert beside == ([f"{frame}.fit" for frame in frames] if model == "H" else [])
 
 
 def test_a_table_tells_of_files_that_are_composed_otherwise(tmp_path):
