@@ -96,6 +96,7 @@ class KrtKeys:
 
     def are_in(self, content: object) -> bool:
         """Return whether a decoded value has the keys of such a camera."""
+        content = flat_entry(content)
         return (
             type(content) is dict
             and any(key in content for key in self.k)
@@ -107,6 +108,7 @@ KRT_KEYS = KrtKeys()
 # Our world's axes in those of a world with z up, and the other way round: half a turn about x.
 HALF_TURN = np.diag([1.0, -1.0, -1.0])
 TURNED = "its world has z up: turned by half about x"
+_OF_K = ("fx", "fy", "cx", "cy")
 _APART = ("intrinsics", "intrinsic", "extrinsics", "extrinsic")
 
 
@@ -147,10 +149,18 @@ def _with_distortion(entry: Any, keys: KrtKeys) -> Any:
 
 
 def flat_entry(entry: Any) -> Any:
-    """A decoded camera without the objects that keep its intrinsics and its pose apart."""
-    apart = [key for key in _APART if type(entry) is dict and type(entry.get(key)) is dict]
-    own = {key: value for key, value in entry.items() if key not in apart} if apart else entry
-    return own | {name: v for key in apart for name, v in entry[key].items()} if apart else own
+    """A decoded camera without the objects that keep its intrinsics and its pose apart, and with K
+    of numbers that are named one by one."""
+    if type(entry) is not dict:
+        return entry
+    if apart := [key for key in _APART if type(entry.get(key)) is dict]:
+        inner = {name: v for key in apart for name, v in entry[key].items()}
+        entry = {key: value for key, value in entry.items() if key not in apart} | inner
+    if not entry.keys() >= {*_OF_K} or any(key in entry for key in KRT_KEYS.k):
+        return entry
+    fx, fy, cx, cy = (entry[key] for key in _OF_K)
+    own = {key: value for key, value in entry.items() if key not in _OF_K}
+    return own | {KRT_KEYS.k[0]: [[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]]}
 
 
 def camera_of_matrices(

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from itertools import chain
 from pathlib import PurePath
-from typing import Any
+from typing import Any, TypeVar
 
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.formats.cameras.content import (
@@ -47,6 +48,9 @@ _ANNOTATION_ADVICE = (
     "annotations are no cameras; projected polylines are read with the camera format polylines"
 )
 SOCCERNET_PREFIX = "camera_"  # of its files' names
+
+
+T = TypeVar("T")
 
 
 class PointsError(CameraError):
@@ -147,11 +151,19 @@ def _detected(content: object, path: str) -> CameraFormat:
 
 
 def _unknown(content: object, path: str) -> CameraError:
-    if type(content) is dict and any(key in content for key in _HOMOGRAPHY_KEYS):
+    own = content if isinstance(content, dict) else {}
+    if own.keys() & {*KRT_KEYS.k} and not own.keys() & {*KRT_KEYS.placed}:
+        what = "holds a lens without a place, expected R and t, w2c or c2w beside it"
+        return CameraError(path, what, advice="add them; docs/camera-formats.md has the spellings")
+    values = content if isinstance(content, list) else own.values()
+    inner = [v for v in values if type(v) in (dict, list)]
+    inner += [v for one in inner if type(one) is list for v in one[:1]]  # {"frames": [...]}
+    if any(map(_is_homography, (content, *inner))):
         return CameraError(
             path,
             "holds a homography, and nothing tells which ground and which units it is of",
-            advice="save it as .npy, and choose a camera format: wc14, carwc or world",
+            advice="save it as .npy, and choose a camera format: wc14, carwc or world; of many"
+            " frames make CSV: frame, h11 ... h33, picture to metres from the centre",
         )
     tag = getattr(content, "tag", None)
     found = json_kind(content) if tag is None else f"<{printable(str(tag), 30)}>"
@@ -169,6 +181,13 @@ def _unknown(content: object, path: str) -> CameraError:
     )
 
 
+def _is_homography(value: object) -> bool:
+    if type(value) is dict:
+        return any(key in value for key in _HOMOGRAPHY_KEYS)
+    rows = value if type(value) is list and len(value) == 3 else [[]]
+    return all(type(row) is list and len(row) == 3 for row in rows)
+
+
 def _is_lines(data: bytes) -> bool:
     """Return whether a file holds one TVCalib record a line, judged by its first."""
     data = strip_bom(data)
@@ -184,7 +203,7 @@ def _is_lines(data: bytes) -> bool:
 def _read_any(data: bytes, *, path: str) -> LoadedCamera:
     """The camera of a file that no one named the format of."""
     if _is_matrix(data, path):
-        return read_matrix_file(data, path=path)
+        return _read_or_name(read_matrix_file, data, path)
     _refuse_unread(path, data)
     if _is_storage_xml(data, path):
         return read_opencv(data, path=path)
@@ -193,9 +212,18 @@ def _read_any(data: bytes, *, path: str) -> LoadedCamera:
 
 def _any_records(data: bytes, *, path: str) -> CameraRecords | None:
     if _is_matrix(data, path):
-        return matrix_records(data, path=path)
+        return _read_or_name(matrix_records, data, path)
     _refuse_unread(path, data)
     return None if _is_storage_xml(data, path) else json_records(data, path=path)
+
+
+def _read_or_name(read: Callable[..., T], data: bytes, path: str) -> T:
+    """What is read; of a file of a program whose files are not read, the way out."""
+    try:
+        return read(data, path=path)
+    except CameraError:
+        _refuse_unread(path, data)
+        raise
 
 
 def _refuse_unread(path: str, data: bytes = b"") -> None:

@@ -182,6 +182,13 @@ FILES: dict[str, tuple[str, Callable[[], bytes], str, Any]] = {
             "radial_distortion": DIST[:2].tolist(),
             "tangential_distortion": DIST[2:4].tolist()}).encode(), "1", BENT,
     ),
+    "numbers of K one by one": (
+        "1.json", lambda: json.dumps({
+            "intrinsics": {"fx": K[0, 0], "fy": K[1, 1], "cx": K[0, 2], "cy": K[1, 2],
+                           "k1": DIST[0], "k2": DIST[1], "p1": DIST[2], "p2": DIST[3]},
+            "extrinsics": {"R": R.tolist(), "t": T.tolist()},
+        }).encode(), "1", BENT,
+    ),
     "4x4 beside K": (
         "1.json", lambda: json.dumps({"K": K.tolist(), "w2c": four(pose(BENT)).tolist(),
                                       "dist": DIST.tolist()}).encode(), "1", BENT,
@@ -327,6 +334,10 @@ def test_hints_about_a_world_are_those_of_every_format(tmp_path):
         ("a.xml", b'<document version="2.0.0">\n<chunk id="0">', "Metashape.*COLMAP"),
         ("a.json", b'{"sfm_data_version": "0.3", "views": []}', "OpenMVG.*COLMAP"),
         ("a.toml", b"a = [", "is no TOML"),
+        ("a_cam.txt", b"extrinsic\n1 0 0 0\n", "MVSNet or Pix4D.*w2c"),
+        ("a.json", b'{"1": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}', "holds a homography.*make CSV"),
+        ("a.json", b'{"frames": [{"frame": 1, "H": []}]}', "holds a homography.*make CSV"),
+        ("a.json", b'{"K": [[9, 0, 1], [0, 9, 1], [0, 0, 1]]}', "a lens without a place"),
         ("a.yaml", b"image_width: 9\ndistortion_model: a\n", "ROS or Kalibr.*add R and tvec"),
         ("a.yaml", b"D: [0]\ndistortion_model: plumb_bob\n---\n", "ROS or Kalibr.*add R and tvec"),
     ],
