@@ -71,7 +71,7 @@ def is_pose_label(data: bytes) -> bool:
     return bool(found) and all(
         len(line) >= _BOX + 2
         and ((len(line) - _BOX) % 2 == 0 or (len(line) - _BOX) % 3 == 0)
-        and line[0] == int(line[0])
+        and line[0].is_integer()
         and all(0 <= value <= 1 for value in line[1:_BOX])
         for line in found
     )

@@ -222,7 +222,8 @@ def _read_or_name(read: Callable[..., T], data: bytes, path: str) -> T:
     try:
         return read(data, path=path)
     except CameraError:
-        _refuse_unread(path, data)
+        if data[:1].isalpha():  # numbers are damaged ones
+            _refuse_unread(path, data)
         raise
 
 
