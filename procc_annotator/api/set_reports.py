@@ -13,8 +13,8 @@ from tempfile import TemporaryDirectory
 from typing import Any, TypedDict, Unpack
 
 from procc_annotator.annotation import FrameAnnotation, as_size
-from procc_annotator.api.inputs import as_annotation, as_field, as_optional_size, as_path, kind_of
-from procc_annotator.api.loading import Dataset, load_dataset
+from procc_annotator.api.inputs import as_annotation, as_optional_size, as_path, kind_of
+from procc_annotator.api.loading import Dataset, as_dataset
 from procc_annotator.api.methods import CamerasInMemory, Method, cameras_of
 from procc_annotator.batch.agreement import AgreementRun, ConsensusRun
 from procc_annotator.batch.comparison import ComparisonRun
@@ -124,17 +124,10 @@ def _opened(
         raise UsageError(
             f"no option {min(unknown)!r}; there are {', '.join(SetOptions.__annotations__)}"
         )
-    field = options.get("field")
     with ExitStack() as opened:
         folder = Path(opened.enter_context(TemporaryDirectory(prefix="procc-")))
-        if isinstance(annotations, str | Path):
-            annotations = load_dataset(annotations, field)
-        if isinstance(annotations, Dataset):
-            known = annotations.field if field is None else as_field(field)
-            name, pictures = annotations.path.name, annotations.pictures
-            frames = annotations.annotations
-        else:
-            known, name, pictures, frames = as_field(field), title, {}, annotations
+        dataset = as_dataset(annotations, options.get("field"), title)
+        known, name, frames = dataset.field, dataset.path.name, dataset.annotations
         place = folder / "annotations"
         make_folder(place)
         with open_target(place) as target:
@@ -162,7 +155,7 @@ def _opened(
         source = opened.enter_context(open_annotations(place, known))
         executor = opened.enter_context(make_executor(workers))
         try:
-            yield _Opened(name, source, cameras, setup, own, pictures, executor, folder)
+            yield _Opened(name, source, cameras, setup, own, dataset.pictures, executor, folder)
         except UsageError as error:  # may name the folder, which no caller knows
             raise UsageError(str(error).replace(str(place), name)) from None
 

@@ -266,6 +266,13 @@ class Tally:
             self._group(key).merge(sums)
 
     @property
+    def described(self) -> str:
+        """Protocol, size and what else the numbers depend on, in words."""
+        terms = self.sums.setup.describe(self.ground_only)
+        mark = self.fitted.among(self.with_camera)
+        return f"{terms}, {mark}" if mark else terms
+
+    @property
     def size_doubt(self) -> str:
         """Remark for a set whose cameras hardly belong to its size or world; empty for others."""
         if 2 * self.astray <= self.with_camera or self.notes.in_pixels:

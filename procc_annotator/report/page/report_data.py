@@ -324,7 +324,7 @@ def _gather(
         folder,
         fmt,
         run.summary(),
-        run.describe(),
+        tally.described,
         tally.ground_only,
         frames,
         notices,
