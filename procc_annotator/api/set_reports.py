@@ -16,7 +16,7 @@ from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.inputs import as_annotation, as_optional_size, as_path, kind_of
 from procc_annotator.api.loading import Dataset, as_dataset
 from procc_annotator.api.methods import CamerasInMemory, Method, cameras_of
-from procc_annotator.batch.agreement import AgreementRun, ConsensusRun
+from procc_annotator.batch.agreement import agreement_run
 from procc_annotator.batch.comparison import ComparisonRun
 from procc_annotator.batch.execution.executor import Executor, make_executor
 from procc_annotator.batch.grouping import NotInOrderError, shots_by_name
@@ -318,12 +318,8 @@ def compare_annotators(
             opened.enter_context(_opened(one, {}, options, title=name))
             for name, one in annotators.items()
         ]
-        sources, given = [one.source for one in every], check_thresholds(thresholds)
-        call = every[0].setup.field, every[0].setup.size, given
-        of_two = len(sources) == 2
-        run = (
-            AgreementRun(sources[0], sources[1], *call) if of_two else ConsensusRun(sources, *call)
-        )
+        sources, setup = [one.source for one in every], every[0].setup
+        run = agreement_run(sources, setup.field, setup.size, check_thresholds(thresholds))
         run.executor = every[0].executor
         file = every[0].folder / "agreement.json"
         write_agreement(agreement_of(run), file)
