@@ -43,7 +43,7 @@ from procc_annotator.report.consensus import write_agreement
 from procc_annotator.report.outputs import open_target
 from procc_annotator.report.overlay_scene import OverlayLook
 from procc_annotator.report.page import report
-from procc_annotator.report.page.report_data import NamedCameras, ReportWork, gather_report
+from procc_annotator.report.page.report_data import ReportWork, gather_report
 from procc_annotator.report.scores.inference import InferenceSettings
 from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations
 from procc_annotator.report.temporal import TemporalMetrics, measure_over_time, over_time_entries
@@ -228,11 +228,11 @@ def write_report(
             title or f"Cameras of {one.name}", today, seed=seed, disagreement=_pairs(disagreement)
         )
         report.check_request(request, list(one.cameras))
-        work = ReportWork(one.executor, one.camera_size)
-        gathered = gather_report(
-            one.name, one.source, [NamedCameras(*each) for each in one.cameras.items()],
-            one.setup, chosen, work, InferenceSettings(draws=BootstrapSettings(seed=seed)),
-        )  # fmt: skip
+        work, settings = (
+            ReportWork(one.executor),
+            InferenceSettings(draws=BootstrapSettings(seed=seed)),
+        )
+        gathered = gather_report(one.requests, chosen, work, settings)
         steady = tuple(one.over_time(chosen[0])) if over_time else ()
         material = report.ReportInputs(one.source, one.sets, one.pictures, steady)
         look = OverlayLook(widest=960, caption=False, emphasis=1.7)
