@@ -388,7 +388,7 @@ def _scored(
         name,
         frame.place,
         None,
-        frame.notices if len(shown.polylines.element) else (*frame.notices, NOTHING_SHOWN),
+        frame.notices if shown.shows_any else (*frame.notices, NOTHING_SHOWN),
         scores,
         ground_only=ground_only,
         model=frame.model,

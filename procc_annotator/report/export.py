@@ -289,9 +289,9 @@ class _Totals:
                 frame = _input(name, annotation, loaded, cameras.frames[name], setup)
                 if frame.camera is not None:
                     self._exported.scored += 1
-                    self._exported.notices.update([loaded.notice] if loaded.notice else [])
         self._exported.problems += [frame.error] if frame.error else []
         (evaluated,) = score_frames([frame], self._tally)
+        self._exported.notices.update(evaluated.result.notices)
         return evaluated.result
 
 
@@ -307,8 +307,9 @@ def _input(
         problem = f"{why} ({NAME_THE_FORMAT})"
     if problem:
         return FrameInput(name, annotation, error=f"{name}: {problem}")
+    notices = (loaded.notice,) if loaded.notice else ()
     return FrameInput(
-        name, annotation, loaded.camera, place, loaded.model, fitted_on=loaded.fitted_on
+        name, annotation, loaded.camera, place, loaded.model, notices, loaded.fitted_on
     )
 
 
