@@ -18,6 +18,7 @@ from procc_annotator.api.inputs import (
     position_remarks,
 )
 from procc_annotator.arrays import FloatArray
+from procc_annotator.batch.scoring import NOTHING_SHOWN
 from procc_annotator.calibration.fitting import DEFAULT_SIZE
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.errors import UsageError
@@ -89,9 +90,11 @@ def evaluate(
     at = _size_of_camera(camera, size)
     setup = EvaluationSetup(as_field(field), at, protocol, allow_mirrored, off_plane, planar_only)
     used = evaluated_camera(camera, setup, as_optional_size(camera_size))
-    for line in position_remarks([used]):
+    measurement = measure(as_annotation(annotation), used.camera, setup)
+    nothing = [] if measurement.projected.shows_any else [f"the camera {NOTHING_SHOWN}"]
+    for line in (*position_remarks([used]), *nothing):
         warnings.warn(line, stacklevel=2)
-    return display_score(measure(as_annotation(annotation), used.camera, setup), chosen)
+    return display_score(measurement, chosen)
 
 
 def jac_curve(

@@ -5,13 +5,13 @@ from __future__ import annotations
 import warnings
 from collections import Counter
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from pathlib import Path
 from types import MappingProxyType
 
 from procc_annotator.annotation import FrameAnnotation, pixel_like
-from procc_annotator.api.inputs import as_field, as_path
+from procc_annotator.api.inputs import as_field, as_path, kind_of
 from procc_annotator.calibration import fitting
 from procc_annotator.dataset.annotation_source import open_files, own_label_map
 from procc_annotator.dataset.dataset_field import field_of_dataset
@@ -127,6 +127,24 @@ def load_dataset(
         MappingProxyType(pictures),
         MappingProxyType({name: size for name, size in sizes.items() if size is not None}),
     )
+
+
+def as_dataset(
+    annotations: Mapping[str, FrameAnnotation] | Dataset | str | Path,
+    field: Field | str | None,
+    title: str = "annotations",
+) -> Dataset:
+    """Annotations as a caller has them, with the field they are judged by; ``title`` names those by
+    frame name. UsageError for what are none."""
+    if isinstance(annotations, str | Path):
+        return load_dataset(annotations, field)
+    if isinstance(annotations, Dataset):
+        return annotations if field is None else replace(annotations, field=as_field(field))
+    given: object = annotations
+    if not isinstance(given, Mapping):
+        found = kind_of(given)
+        raise UsageError(f"annotations: expected them by frame name, or a path, found {found}")
+    return Dataset(Path(title), as_field(field), annotations, {}, {})
 
 
 def load_annotations(

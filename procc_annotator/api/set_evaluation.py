@@ -15,14 +15,12 @@ from natsort import natsorted
 from procc_annotator.annotation import FrameAnnotation, as_size
 from procc_annotator.api.inputs import (
     as_annotation,
-    as_field,
     as_optional_size,
     dataframe,
     evaluated_camera,
-    kind_of,
     position_remarks,
 )
-from procc_annotator.api.loading import Dataset, load_dataset
+from procc_annotator.api.loading import Dataset, as_dataset
 from procc_annotator.api.methods import Method, cameras_of
 from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.audit import TAU_GRID
@@ -261,34 +259,10 @@ def evaluate_set(
             projection, or a choice that there is not, see `evaluate`.
         InputError: a file cannot be used.
     """
-    if isinstance(annotations, str | Path):
-        annotations = load_dataset(annotations, field)
-    if isinstance(annotations, Dataset):
-        known = annotations.field if field is None else as_field(field)
-        annotations = annotations.annotations
-    else:
-        known = as_field(field)
-    given: object = annotations
-    if not isinstance(given, Mapping):
-        found = kind_of(given)
-        raise UsageError(f"annotations: expected them by frame name, or a path, found {found}")
-    by_frame = cameras_of(cameras, annotations)
-    at, own = as_size(size), as_optional_size(camera_size)
-    setup = EvaluationSetup(known, at, protocol, allow_mirrored, off_plane, planar_only)
-    chosen, inputs = check_thresholds(thresholds), []
-    for name in natsorted(annotations):
-        one = FrameInput(name, as_annotation(annotations[name]))
-        if (camera := by_frame.get(name)) is not None:
-            used = evaluated_camera(camera, setup.of_frame(name), own, f"camera of {name}")
-            one = replace(one, camera=used.camera, model=used.model, fitted_on=used.fitted_on)
-        inputs.append(one)
-    judged = [one for one in inputs if one.camera is not None]
-    if not judged:
-        what = "no frame that is annotated has a camera" if inputs else "no annotated frame"
-        theirs = next(iter(by_frame), None)
-        if inputs and theirs is not None:
-            what += f" (annotations are named like {inputs[0].name!r}, cameras like {theirs!r})"
-        raise UsageError(f"nothing to score: {what}")
+    dataset, at = as_dataset(annotations, field), as_size(size)
+    setup = EvaluationSetup(dataset.field, at, protocol, allow_mirrored, off_plane, planar_only)
+    chosen = check_thresholds(thresholds)
+    inputs = _inputs(dataset.annotations, cameras, setup, as_optional_size(camera_size))
     total, sums = Tally(SetAccumulator(setup, chosen)), list[FrameSums | None]()
     scores, notices = dict[str, Mapping[float, FrameScore]](), Counter[str]()
     for start in range(0, len(inputs), CHUNK):  # as `evaluate` adds, to the last digit
@@ -300,12 +274,32 @@ def evaluate_set(
         total.merge(part)
     told = condensed(notices)
     remarks = [f"{notice} ({pluralize(count, 'camera')})" for notice, count in told.items()]
-    for line in (*total.notes.lines(), *position_remarks(judged), *remarks, total.size_doubt):
+    for line in (*total.notes.lines(), *position_remarks(inputs), *remarks, total.size_doubt):
         if line:
             warnings.warn(line, stacklevel=2)
-    summaries = total.sums.summary()
-    source = SourceSums.of("this", chosen, sums)
-    terms = setup.describe(source.ground_only)
-    mark = source.fitted.among(len(judged))
-    described, models = f"{terms}, {mark}" if mark else terms, {o.name: o.model for o in judged}
-    return SetScore(described, summaries, scores, models, source, terms)
+    models = {one.name: one.model for one in inputs if one.camera is not None}
+    source, terms = SourceSums.of("this", chosen, sums), setup.describe(total.ground_only)
+    return SetScore(total.described, total.sums.summary(), scores, models, source, terms)
+
+
+def _inputs(
+    annotations: Mapping[str, FrameAnnotation],
+    cameras: Method,
+    setup: EvaluationSetup,
+    camera_size: Size | None,
+) -> list[FrameInput]:
+    """The frames in natural order; UsageError if none has a camera."""
+    by_frame, inputs = cameras_of(cameras, annotations), []
+    for name in natsorted(annotations):
+        one = FrameInput(name, as_annotation(annotations[name]))
+        if (camera := by_frame.get(name)) is not None:
+            used = evaluated_camera(camera, setup.of_frame(name), camera_size, f"camera of {name}")
+            one = replace(one, camera=used.camera, model=used.model, fitted_on=used.fitted_on)
+        inputs.append(one)
+    if any(one.camera is not None for one in inputs):
+        return inputs
+    what = "no frame that is annotated has a camera" if inputs else "no annotated frame"
+    theirs = next(iter(by_frame), None)
+    if inputs and theirs is not None:
+        what += f" (annotations are named like {inputs[0].name!r}, cameras like {theirs!r})"
+    raise UsageError(f"nothing to score: {what}")

@@ -13,10 +13,10 @@ from tempfile import TemporaryDirectory
 from typing import Any, TypedDict, Unpack
 
 from procc_annotator.annotation import FrameAnnotation, as_size
-from procc_annotator.api.inputs import as_annotation, as_field, as_optional_size, as_path, kind_of
-from procc_annotator.api.loading import Dataset, load_dataset
+from procc_annotator.api.inputs import as_annotation, as_optional_size, as_path, kind_of
+from procc_annotator.api.loading import Dataset, as_dataset
 from procc_annotator.api.methods import CamerasInMemory, Method, cameras_of
-from procc_annotator.batch.agreement import AgreementRun, ConsensusRun
+from procc_annotator.batch.agreement import agreement_run
 from procc_annotator.batch.comparison import ComparisonRun
 from procc_annotator.batch.execution.executor import Executor, make_executor
 from procc_annotator.batch.grouping import NotInOrderError, shots_by_name
@@ -43,7 +43,7 @@ from procc_annotator.report.consensus import write_agreement
 from procc_annotator.report.outputs import open_target
 from procc_annotator.report.overlay_scene import OverlayLook
 from procc_annotator.report.page import report
-from procc_annotator.report.page.report_data import NamedCameras, ReportWork, gather_report
+from procc_annotator.report.page.report_data import ReportWork, gather_report
 from procc_annotator.report.scores.inference import InferenceSettings
 from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations
 from procc_annotator.report.temporal import TemporalMetrics, measure_over_time, over_time_entries
@@ -124,17 +124,10 @@ def _opened(
         raise UsageError(
             f"no option {min(unknown)!r}; there are {', '.join(SetOptions.__annotations__)}"
         )
-    field = options.get("field")
     with ExitStack() as opened:
         folder = Path(opened.enter_context(TemporaryDirectory(prefix="procc-")))
-        if isinstance(annotations, str | Path):
-            annotations = load_dataset(annotations, field)
-        if isinstance(annotations, Dataset):
-            known = annotations.field if field is None else as_field(field)
-            name, pictures = annotations.path.name, annotations.pictures
-            frames = annotations.annotations
-        else:
-            known, name, pictures, frames = as_field(field), title, {}, annotations
+        dataset = as_dataset(annotations, options.get("field"), title)
+        known, name, frames = dataset.field, dataset.path.name, dataset.annotations
         place = folder / "annotations"
         make_folder(place)
         with open_target(place) as target:
@@ -162,7 +155,7 @@ def _opened(
         source = opened.enter_context(open_annotations(place, known))
         executor = opened.enter_context(make_executor(workers))
         try:
-            yield _Opened(name, source, cameras, setup, own, pictures, executor, folder)
+            yield _Opened(name, source, cameras, setup, own, dataset.pictures, executor, folder)
         except UsageError as error:  # may name the folder, which no caller knows
             raise UsageError(str(error).replace(str(place), name)) from None
 
@@ -235,11 +228,11 @@ def write_report(
             title or f"Cameras of {one.name}", today, seed=seed, disagreement=_pairs(disagreement)
         )
         report.check_request(request, list(one.cameras))
-        work = ReportWork(one.executor, one.camera_size)
-        gathered = gather_report(
-            one.name, one.source, [NamedCameras(*each) for each in one.cameras.items()],
-            one.setup, chosen, work, InferenceSettings(draws=BootstrapSettings(seed=seed)),
-        )  # fmt: skip
+        work, settings = (
+            ReportWork(one.executor),
+            InferenceSettings(draws=BootstrapSettings(seed=seed)),
+        )
+        gathered = gather_report(one.requests, chosen, work, settings)
         steady = tuple(one.over_time(chosen[0])) if over_time else ()
         material = report.ReportInputs(one.source, one.sets, one.pictures, steady)
         look = OverlayLook(widest=960, caption=False, emphasis=1.7)
@@ -325,12 +318,8 @@ def compare_annotators(
             opened.enter_context(_opened(one, {}, options, title=name))
             for name, one in annotators.items()
         ]
-        sources, given = [one.source for one in every], check_thresholds(thresholds)
-        call = every[0].setup.field, every[0].setup.size, given
-        of_two = len(sources) == 2
-        run = (
-            AgreementRun(sources[0], sources[1], *call) if of_two else ConsensusRun(sources, *call)
-        )
+        sources, setup = [one.source for one in every], every[0].setup
+        run = agreement_run(sources, setup.field, setup.size, check_thresholds(thresholds))
         run.executor = every[0].executor
         file = every[0].folder / "agreement.json"
         write_agreement(agreement_of(run), file)

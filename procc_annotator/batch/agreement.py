@@ -226,6 +226,15 @@ class AgreementRun(ConsensusRun):
             raise UsageError("nothing to do: none of the frames asked for has annotations of both")
 
 
+def agreement_run(
+    sources: Sequence[FileSource], field: Field, size: tuple[int, int], thresholds: Sequence[float]
+) -> ConsensusRun:
+    """A pass over the frames of two annotators, or of more; as of `ConsensusRun`."""
+    if len(sources) == 2:
+        return AgreementRun(sources[0], sources[1], field, size, thresholds)
+    return ConsensusRun(sources, field, size, thresholds)
+
+
 @dataclass(frozen=True)
 class AgreementIntervals:
     """Intervals of the figures of an agreement; None of fewer than two clusters.

@@ -135,12 +135,6 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
             for value, sums in self.tally.groups_by(by)
         )
 
-    def describe(self) -> str:
-        """Protocol, size and what else the numbers depend on, in words."""
-        described = self.setup.describe(self.tally.ground_only)
-        mark = self.tally.fitted.among(self.tally.with_camera)
-        return f"{described}, {mark}" if mark else described
-
 
 def run_evaluation(
     annotations: FileSource,

@@ -266,6 +266,13 @@ class Tally:
             self._group(key).merge(sums)
 
     @property
+    def described(self) -> str:
+        """Protocol, size and what else the numbers depend on, in words."""
+        terms = self.sums.setup.describe(self.ground_only)
+        mark = self.fitted.among(self.with_camera)
+        return f"{terms}, {mark}" if mark else terms
+
+    @property
     def size_doubt(self) -> str:
         """Remark for a set whose cameras hardly belong to its size or world; empty for others."""
         if 2 * self.astray <= self.with_camera or self.notes.in_pixels:
@@ -381,7 +388,7 @@ def _scored(
         name,
         frame.place,
         None,
-        frame.notices if len(shown.polylines.element) else (*frame.notices, NOTHING_SHOWN),
+        frame.notices if shown.shows_any else (*frame.notices, NOTHING_SHOWN),
         scores,
         ground_only=ground_only,
         model=frame.model,

@@ -249,7 +249,7 @@ class MeasureShots(AnnotationTask):
                 row[column] = _distance_px(measurement)
                 if shift == 0:
                     jac[place] = score(measurement, self.threshold).jac
-                    fitted[place] = FitCounts.of(found[place][1], annotation)
+                    fitted[place] = FitCounts.of(found[place][1], annotation, measurement)
                     ground_only |= measurement.projected.ground_only
             if annotation.annotated:  # a frame without clicks tells nothing of shifts
                 rows.append(row)

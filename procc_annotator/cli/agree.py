@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import AbstractContextManager, ExitStack, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +11,12 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.batch.agreement import MAX_ANNOTATORS, AgreementRun, ConsensusRun
+from procc_annotator.batch.agreement import (
+    MAX_ANNOTATORS,
+    AgreementRun,
+    ConsensusRun,
+    agreement_run,
+)
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.set_run import WORTH_WORKERS, ambiguous_folders
 from procc_annotator.cli import inference_options, options, outputs
@@ -25,7 +31,11 @@ from procc_annotator.formats.csv_tables import read_frame_table
 from procc_annotator.formats.file_listing import list_annotations, qualify_by_folder
 from procc_annotator.messages import list_names
 from procc_annotator.report import agreement
-from procc_annotator.report.agreement import compare_annotators, sample_size_table
+from procc_annotator.report.agreement import (
+    AgreementReport,
+    compare_annotators,
+    sample_size_table,
+)
 from procc_annotator.report.consensus import (
     consensus_line,
     consensus_tables,
@@ -123,48 +133,17 @@ class AgreeOptions:
 
 
 def agree(given: AgreeOptions) -> None:
-    count = len(given.annotators)
     if given.reference is not None:
         if given.consensus is not None or given.power:
             raise UsageError("--reference goes without --consensus and --power")
         raise typer.Exit(_against_reference(given, given.reference))
     if given.frames is not None:
         raise UsageError("--frames needs --reference")
-    if not 2 <= count <= MAX_ANNOTATORS:
-        raise UsageError(f"annotations of {count} given, expected those of 2 to {MAX_ANNOTATORS}")
     files = outputs.output_files(given.output)
-    thresholds = options.thresholds_or_default(given.threshold)
-    shown = chosen_field(given.field, *given.annotators)
-    names = options.label_map(given.labels, shown)
-    with ExitStack() as opened:
-        sources = [
-            opened.enter_context(open_annotations(annotations_of(path), shown, names))
-            for path in given.annotators
-        ]
-        outputs.check_not_inputs(files, sources)
-        for source, letter in zip(sources, ascii_uppercase, strict=False):
-            report_set(source, shown, f"{letter}: ")
-        lists = qualify_by_folder([list_annotations(source) for source in sources])
-        report_remarks(ambiguous_folders(zip(given.annotators, lists, strict=True)))
-        alike = given.alike.of(source.path for source in sources)
-        call = shown, options.parse_size(given.size), thresholds
-        of_two = len(sources) == 2
-        if of_two and given.consensus is not None:
-            raise UsageError("a consensus is that of three annotators or more")
-        run: ConsensusRun
-        run = (
-            AgreementRun(sources[0], sources[1], *call) if of_two else ConsensusRun(sources, *call)
-        )
-        with (
-            _replacing(given, run),
-            make_executor(given.workers, frames=run.total, worth_from=WORTH_WORKERS) as executor,
-        ):
-            run.executor = executor
-            agreed = compare_annotators(run, alike, with_progress)
-            if given.consensus is not None:
-                write_consensus(agreed, given.consensus)
+    run, agreed = _compared(given, files)
     for path in files:  # before the tables: a reader may stop after the first (`| head`)
         write_agreement(agreed, path)
+    of_two = len(run.sources) == 2
     console = stdout_console()
     for sheet in agreement.agreement_tables(agreed) if of_two else consensus_tables(agreed):
         console.print(sheet)
@@ -187,6 +166,38 @@ def agree(given: AgreeOptions) -> None:
             err=True,
         )
     raise typer.Exit(report_unreadable(agreed.errors))
+
+
+def _compared(given: AgreeOptions, files: Sequence[Path]) -> tuple[ConsensusRun, AgreementReport]:
+    """Compare the annotators; the consensus is written, if asked for."""
+    count = len(given.annotators)
+    if not 2 <= count <= MAX_ANNOTATORS:
+        raise UsageError(f"annotations of {count} given, expected those of 2 to {MAX_ANNOTATORS}")
+    if count == 2 and given.consensus is not None:
+        raise UsageError("a consensus is that of three annotators or more")
+    thresholds = options.thresholds_or_default(given.threshold)
+    shown = chosen_field(given.field, *given.annotators)
+    names = options.label_map(given.labels, shown)
+    with ExitStack() as opened:
+        sources = [
+            opened.enter_context(open_annotations(annotations_of(path), shown, names))
+            for path in given.annotators
+        ]
+        outputs.check_not_inputs(files, sources)
+        for source, letter in zip(sources, ascii_uppercase, strict=False):
+            report_set(source, shown, f"{letter}: ")
+        lists = qualify_by_folder([list_annotations(source) for source in sources])
+        report_remarks(ambiguous_folders(zip(given.annotators, lists, strict=True)))
+        alike = given.alike.of(source.path for source in sources)
+        run = agreement_run(sources, shown, options.parse_size(given.size), thresholds)
+        opened.enter_context(_replacing(given, run))
+        run.executor = opened.enter_context(
+            make_executor(given.workers, frames=run.total, worth_from=WORTH_WORKERS)
+        )
+        agreed = compare_annotators(run, alike, with_progress)
+        if given.consensus is not None:
+            write_consensus(agreed, given.consensus)
+    return run, agreed
 
 
 def _replacing(given: AgreeOptions, run: ConsensusRun) -> AbstractContextManager[None]:

@@ -46,7 +46,7 @@ from procc_annotator.report.page.report import (
     report_kind,
     write_report,
 )
-from procc_annotator.report.page.report_data import NamedCameras, ReportWork, gather_report
+from procc_annotator.report.page.report_data import AuditReport, ReportWork, gather_report
 from procc_annotator.report.scores.scoring import EvaluationRequest
 
 HELP = """\
@@ -198,7 +198,7 @@ def report(context: typer.Context, given: ReportOptions) -> None:
         outputs.check_not_inputs((*written_to, *own), [source, *cameras.values()])
         work_ahead = len(list_annotations(source)) * _frame_cost(request, len(specs))
         executor = opened.enter_context(make_executor(given.workers, given.dask, frames=work_ahead))
-        work = ReportWork(executor, camera_size, with_progress)
+        work = ReportWork(executor, with_progress)
         requests = [
             EvaluationRequest(name, called, source, one, setup, camera_size=camera_size)
             for called, one in cameras.items()
@@ -208,8 +208,7 @@ def report(context: typer.Context, given: ReportOptions) -> None:
         if over_time and (without := [name for name in cameras if name not in measured]):
             why = "no metrics over time, the frames do not follow each other"
             request = replace(request, notes=(f"{', '.join(without)}: {why}.",))
-        judged = [NamedCameras(*one) for one in cameras.items()]
-        gathered = gather_report(name, source, judged, setup, thresholds, work, settings)
+        gathered = gather_report(requests, thresholds, work, settings)
         sets = [CameraSet(one, called, camera_size) for called, one in cameras.items()]
         material = ReportInputs(source, sets, pictures, tuple(steady))
         files = (*written_to, *([] if manifest is None else [manifest.metrics]))
@@ -219,13 +218,18 @@ def report(context: typer.Context, given: ReportOptions) -> None:
             manifest.write(requests)
     for path in (*written_to, *own):
         echo(f"written: {path}")
+    raise typer.Exit(_report_problems(gathered, problems))
+
+
+def _report_problems(gathered: AuditReport, problems: Sequence[str]) -> int:
+    """Say on stderr what could not be used; returns the exit code."""
     report_remarks(dict.fromkeys(note for s in gathered.sources for note in s.annotation_notes))
     for s in gathered.sources:
         report_notices({f"{s.name}: {notice}": count for notice, count in s.notices.items()})
     failures = list(dict.fromkeys(gathered.failures()))
     # Drawing a frame meets what scoring it has met, without knowing the source's name.
     failures += [p for p in problems if not any(said.endswith(p) for said in failures)]
-    raise typer.Exit(report_unreadable(failures))
+    return report_unreadable(failures)
 
 
 def _request(given: ReportOptions, name: str, manifest: ManifestOfRun | None) -> ReportRequest:

@@ -119,6 +119,11 @@ class ProjectedField:
     ground_only: bool = False
     camera: CameraOrProjections | None = None
 
+    @property
+    def shows_any(self) -> bool:
+        """Whether the camera shows any element in the picture."""
+        return len(self.polylines.element) > 0
+
     @cached_property
     def pieces(self) -> dict[str, tuple[FloatArray, ...]]:
         """Visible pieces, each (n, 2) px of the evaluation size, of the elements that have any."""

@@ -107,7 +107,6 @@ def export_dataset(
     written, then go to `split_scores` where there are cameras.
 
     Args:
-        frames: of the dataset.
         out: a folder (made if needed), or an archive if it ends in ``.zip``.
         scoring: what to score with, to ``jac.csv`` and ``jac.json``; None writes no scores.
         progress: called with frames done and frames in all.
@@ -120,16 +119,9 @@ def export_dataset(
             a frame in a tree of folders, or a folder that holds another set's files.
         SaveError: writing failed; an archive is then not there at all.
     """
-    if split:
-        require_soccernet(frames.field, "the official evaluation")
-        _require_flat(frames.names)
-        if not is_archive(out):
-            _require_own(out / split, frames.names)
-        if scoring is not None and scoring.cameras is None:
-            scoring = None
-    own = {folder.resolve() for folder in frames.folders}
-    if out.resolve() in own or (split and (out / split).resolve() in own):
-        raise UsageError(f"{out}: this is the dataset itself, export to another folder")
+    _require_place(frames, out, split)
+    if split and scoring is not None and scoring.cameras is None:
+        scoring = None
     exported, written = Exported(out), set[str]()
     with open_target(out) as target, ExitStack() as open_files:
         totals = None
@@ -157,6 +149,17 @@ def export_dataset(
             kept = list_annotations(there).items()
             exported.others = tuple(name for name, file in kept if file not in written)
     return exported
+
+
+def _require_place(frames: AnnotatedFrames, out: Path, split: str) -> None:
+    if split:
+        require_soccernet(frames.field, "the official evaluation")
+        _require_flat(frames.names)
+        if not is_archive(out):
+            _require_own(out / split, frames.names)
+    own = {folder.resolve() for folder in frames.folders}
+    if out.resolve() in own or (split and (out / split).resolve() in own):
+        raise UsageError(f"{out}: this is the dataset itself, export to another folder")
 
 
 def _score_stream(target: Target, path: Path, split: str) -> AbstractContextManager[IO[bytes]]:
@@ -286,9 +289,9 @@ class _Totals:
                 frame = _input(name, annotation, loaded, cameras.frames[name], setup)
                 if frame.camera is not None:
                     self._exported.scored += 1
-                    self._exported.notices.update([loaded.notice] if loaded.notice else [])
         self._exported.problems += [frame.error] if frame.error else []
         (evaluated,) = score_frames([frame], self._tally)
+        self._exported.notices.update(evaluated.result.notices)
         return evaluated.result
 
 
@@ -304,8 +307,9 @@ def _input(
         problem = f"{why} ({NAME_THE_FORMAT})"
     if problem:
         return FrameInput(name, annotation, error=f"{name}: {problem}")
+    notices = (loaded.notice,) if loaded.notice else ()
     return FrameInput(
-        name, annotation, loaded.camera, place, loaded.model, fitted_on=loaded.fitted_on
+        name, annotation, loaded.camera, place, loaded.model, notices, loaded.fitted_on
     )
 
 

@@ -160,10 +160,7 @@ def write_report(
     """Write every file; each appears when it is complete.
 
     Args:
-        report: gathered from the material.
         drawing: needed for a page only.
-        outputs: paths with suffixes of `REPORT_SUFFIXES`.
-        work: who shares the comparison of sources, and who watches.
 
     Returns:
         One line each for what could not be used when pictures were drawn.
@@ -194,14 +191,7 @@ def write_report(
     if "json" in kinds:
         contents["json"] = report_json(report, every_pair, material.over_time)
     if "tex" in kinds:
-        remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
-        remarks += [f"manifest: {request.manifest}"] if request.manifest else []
-        fits = fits_table(report)
-        comparison = without_intervals(comparison_table(report))  # these are tables of their own
-        first = [comparison, *([fits] if fits else []), *report.statistics.sheets]
-        contents["tex"] = latex_tables([*first, *steady, *tables], remarks).encode(
-            "utf-8", "backslashreplace"
-        )
+        contents["tex"] = _latex(report, request, [*steady, *tables])
     if "html" in kinds and drawing is not None:
         shown = _pictures(report, material, request, drawing, pairs, work)
         folders = [material.annotations.path, *(c.path for c in material.cameras)]
@@ -215,6 +205,15 @@ def write_report(
     for path, kind in zip(outputs, kinds, strict=True):
         write_atomic(path, contents[kind])
     return list(dict.fromkeys(problems))
+
+
+def _latex(report: AuditReport, request: ReportRequest, further: Sequence[MetricTable]) -> bytes:
+    remarks = [request.title, request.date, terms(report), f"procc-annotator {__version__}"]
+    remarks += [f"manifest: {request.manifest}"] if request.manifest else []
+    fits = fits_table(report)
+    comparison = without_intervals(comparison_table(report))  # these are tables of their own
+    first = [comparison, *([fits] if fits else []), *report.statistics.sheets]
+    return latex_tables([*first, *further], remarks).encode("utf-8", "backslashreplace")
 
 
 def _marked(pairs: Sequence[ReportedPair], report: AuditReport) -> list[ReportedPair]:

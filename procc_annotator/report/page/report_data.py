@@ -19,9 +19,7 @@ from procc_annotator.batch.frame_sums import ClickNoise, FrameSums, SourceSums, 
 from procc_annotator.batch.inference import Inference
 from procc_annotator.batch.scoring import Evaluated, LeftOutMetrics
 from procc_annotator.errors import UsageError
-from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.fit_record import NOT_FITTED, FitCounts, name_with_mark
-from procc_annotator.formats.file_source import FileSource
 from procc_annotator.metrics.score import FrameScore
 from procc_annotator.metrics.sets import SetSummary
 from procc_annotator.metrics.setup import EvaluationSetup
@@ -30,17 +28,10 @@ from procc_annotator.report.scores.inference import (
     StatisticalResult,
     statistical_result,
 )
+from procc_annotator.report.scores.scoring import EvaluationRequest
 
 # Colours, dashes and markers distinguish so many lines, and a page holds as many pictures.
 MOST_DETAILED = 12
-
-
-@dataclass(frozen=True)
-class NamedCameras:
-    """A source of cameras as the user named it."""
-
-    name: str
-    cameras: CameraCollection
 
 
 @dataclass(frozen=True, slots=True)
@@ -237,33 +228,29 @@ class ReportWork:
     are moved where it is asked what clicks leave open."""
 
     executor: Executor | None = None
-    camera_size: tuple[int, int] | None = None
     progress: Progress = lambda items, _total, _what: iter(items)
     noise: ClickNoise | None = None
 
 
 def gather_report(
-    dataset: str,
-    annotations: FileSource,
-    sources: Sequence[NamedCameras],
-    setup: EvaluationSetup,
+    requests: Sequence[EvaluationRequest],
     thresholds: tuple[float, ...],
-    work: ReportWork | None = None,
-    chance: InferenceSettings | None = None,
+    work: ReportWork,
+    chance: InferenceSettings,
 ) -> AuditReport:
-    """Evaluate every source, exactly as `evaluate` does; the report says why one cannot be.
+    """Evaluate methods on a set, exactly as `evaluate` does; the report says why one cannot be.
 
     Raises:
         UsageError: no source has anything to evaluate.
         InputError: a folder or archive that cannot be listed.
     """
-    executor = None if work is None else work.executor
-    chance = (chance or InferenceSettings()).with_poses({dataset: (annotations, setup)}, executor)
-    work = replace(work if work is not None else ReportWork(), noise=chance.noise)
-    reported = [_gather(annotations, source, setup, thresholds, work) for source in sources]
+    dataset, annotations, setup = requests[0].set_name, requests[0].annotations, requests[0].setup
+    chance = chance.with_poses({dataset: (annotations, setup)}, work.executor)
+    work = replace(work, noise=chance.noise)
+    reported = [_gather(request, thresholds, work) for request in requests]
     if not any(source.summaries for source in reported):
-        raise UsageError(reported[0].failure if reported else "a report needs cameras: --cameras")
-    shown = without_folders([annotations.path, *(s.cameras.path for s in sources)])
+        raise UsageError(reported[0].failure)
+    shown = without_folders([annotations.path, *(one.cameras.path for one in requests)])
     public = tuple(_public(s, shown) for s in reported)
     return AuditReport(dataset, setup, thresholds, public, chance)
 
@@ -295,22 +282,18 @@ def reported_frame(
 
 
 def _gather(
-    annotations: FileSource,
-    source: NamedCameras,
-    setup: EvaluationSetup,
-    thresholds: tuple[float, ...],
-    work: ReportWork,
+    one: EvaluationRequest, thresholds: tuple[float, ...], work: ReportWork
 ) -> ReportedSource:
-    folder, fmt = source.cameras.path.name, source.cameras.format
+    name, folder, fmt = one.method, one.cameras.path.name, one.cameras.format
     try:
         digest = partial(reported_frame, thresholds=thresholds, noise=work.noise)
         run = run_evaluation(
-            annotations, source.cameras, setup, thresholds, digest,
-            camera_size=work.camera_size, executor=work.executor,
+            one.annotations, one.cameras, one.setup, thresholds, digest,
+            camera_size=one.camera_size, executor=work.executor,
         )  # fmt: skip
     except UsageError as error:
-        return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=str(error))
-    frames = tuple(work.progress(run, run.total, f"scoring {source.name}"))
+        return ReportedSource(name, folder, fmt, {}, one.setup.describe(), failure=str(error))
+    frames = tuple(work.progress(run, run.total, f"scoring {name}"))
     tally = run.tally
     notices = Counter(run.notices)
     for frame in frames:
@@ -318,13 +301,13 @@ def _gather(
     notices.update(dict.fromkeys(filter(None, [tally.size_doubt]), 0))
     if tally.counted == 0:
         why = f"none of the {run.total} annotations can be read; the first: {frames[0].error}"
-        return ReportedSource(source.name, folder, fmt, {}, setup.describe(), failure=why)
+        return ReportedSource(name, folder, fmt, {}, one.setup.describe(), failure=why)
     return ReportedSource(
-        source.name,
+        name,
         folder,
         fmt,
         run.summary(),
-        run.describe(),
+        tally.described,
         tally.ground_only,
         frames,
         notices,

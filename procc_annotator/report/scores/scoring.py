@@ -272,7 +272,7 @@ class _Scoring:
                 f"none of the {run.total} annotations can be read; the first: {self._errors[0]}"
             )
         self.scored = Scored(
-            run.summary(), run.setup, run.describe(), tally.counted, tally.with_camera,
+            run.summary(), run.setup, tally.described, tally.counted, tally.with_camera,
             self._worst.rows(), self._errors, self._notices, run.unmatched_cameras,
             request.set_name, request.method, run.group_summaries(), tally.notes.lines(),
             SourceSums.of(request.method, self._thresholds, self._sums), tally.fitted, run.held_out,

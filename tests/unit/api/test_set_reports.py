@@ -141,7 +141,7 @@ def test_a_wrong_size_and_a_world_with_z_up_are_named(given):
     camera = methods["values"]["00002"].camera
     x, y, z = camera.position_world
     below = replace(camera, position_world=(x, y, -z))
-    with pytest.warns(UserWarning, match="m below the ground"):
+    with pytest.warns(match="m below the ground"), pytest.warns(match="shows no element"):
         evaluate(annotations["00002"], below)
 
 

@@ -38,7 +38,7 @@ def test_the_figures_are_those_of_the_command(sample_data, method, protocol):
         results = {result.name: result for result in run}
     found = evaluate_set(sample_data, cameras, thresholds=taus, protocol=protocol)
     assert found.summaries == run.summary()
-    assert found.described == run.describe()
+    assert found.described == run.tally.described
     assert list(found.frames) == list(results)
     models = {row["frame"]: row["model"] or "" for row in found.rows()}
     assert models == {name: result.model for name, result in results.items()}
@@ -56,7 +56,7 @@ def test_cameras_that_know_the_ground_alone_are_known_as_such(sample_data, off_p
         run = run_evaluation(source, collection, setup, (5.0,), attrgetter("result"))
         assert all(result.ground_only for result in run if result.scores)
     found = evaluate_set(sample_data, cameras, off_plane=off_plane)
-    assert found.described == run.describe()
+    assert found.described == run.tally.described
     assert found._sums.ground_only
 
 
