@@ -17,7 +17,7 @@ from procc_annotator.camera.custom import validated_camera
 from procc_annotator.camera.models import model_name
 from procc_annotator.dataset.dataset_field import MAX_PIXEL_ASPECT
 from procc_annotator.errors import UsageError
-from procc_annotator.field.load import load_field
+from procc_annotator.field.load import load_field, load_field_of
 from procc_annotator.field.model import Field, PixelAspect
 from procc_annotator.formats.cameras.fit_record import DIGEST, FIT_KEY, UNCERTAINTY
 from procc_annotator.formats.cameras.loaded_camera import (
@@ -167,8 +167,26 @@ def as_field(field: object, pixel_aspect: float | None = None) -> Field:
     if field is None:
         return load_field()
     if isinstance(field, str | Path):
-        return load_field(field)
+        return load_field_of(field) if isinstance(field, str) else load_field(field)
     raise UsageError(f"expected a field, its name or its .toml file, found {kind_of(field)}")
+
+
+def as_whole_number(value: object, name: str, least: int) -> int:
+    """A whole number; UsageError for what is none, or below ``least``."""
+    if not isinstance(value, int) or value < least:
+        raise UsageError(f"{name}: expected a whole number, at least {least}, found {value!r}")
+    return value
+
+
+def as_frame_names(frames: object) -> tuple[str, ...] | None:
+    """Names of frames, each once; None stays None. UsageError for what are none."""
+    if frames is None:
+        return None
+    if isinstance(frames, Iterable) and not isinstance(frames, str):
+        names = tuple(dict.fromkeys(frames))
+        if names and all(isinstance(name, str) for name in names):
+            return names
+    raise UsageError(f"frames: expected names of frames, at least one, found {frames!r}")
 
 
 def as_path(path: object, what: str) -> Path:

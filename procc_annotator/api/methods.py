@@ -9,6 +9,7 @@ from procc_annotator.annotation import as_size
 from procc_annotator.api.inputs import (
     AnyCamera,
     as_field,
+    as_frame_names,
     as_optional_size,
     as_path,
     camera_at_size,
@@ -23,7 +24,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.cameras.polylines import encode_whole
-from procc_annotator.formats.frame_names import FrameTable, file_of_frame
+from procc_annotator.formats.frame_names import FrameTable, files_of_frames
 from procc_annotator.metrics.projection import complete_projections
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.outputs import open_target
@@ -107,9 +108,7 @@ def save_projection(
         UsageError: no camera, an argument of another kind, or files that are there.
         SaveError: writing failed.
     """
-    if isinstance(frames, str):
-        raise UsageError(f"frames: expected names of frames, found the text {frames!r}")
-    out, given = as_path(path, "a folder or .zip"), frames and list(frames)
+    out, given = as_path(path, "a folder or .zip"), as_frame_names(frames)
     found = cameras_of(cameras, given)
     setup, own = EvaluationSetup(as_field(field), as_size(size)), as_optional_size(camera_size)
     written = [name for name in given or found if found.get(name) is not None]
@@ -117,7 +116,7 @@ def save_projection(
         raise UsageError(f"{out}: nothing to write: no frame has a camera")
     if out.suffix.lower() == ".json":
         raise UsageError(f"{out}: expected the name of a folder, or one that ends in .zip")
-    files = {name: file_of_frame(name, ".json") for name in written}
+    files = files_of_frames(written, ".json")
     there = [out] if out.is_file() else [p for p in map(out.joinpath, files.values()) if p.exists()]
     if there and not overwrite:
         raise UsageError(f"{there[0]}: is there already (overwrite=True replaces it)")

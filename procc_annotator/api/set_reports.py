@@ -13,7 +13,14 @@ from tempfile import TemporaryDirectory
 from typing import Any, TypedDict, Unpack
 
 from procc_annotator.annotation import FrameAnnotation, as_size
-from procc_annotator.api.inputs import as_annotation, as_optional_size, as_path, kind_of
+from procc_annotator.api.inputs import (
+    as_annotation,
+    as_frame_names,
+    as_optional_size,
+    as_path,
+    as_whole_number,
+    kind_of,
+)
 from procc_annotator.api.loading import Dataset, as_dataset
 from procc_annotator.api.methods import CamerasInMemory, Method, cameras_of
 from procc_annotator.batch.agreement import agreement_run
@@ -32,7 +39,7 @@ from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.atomic import make_folder
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.file_source import FileSource
-from procc_annotator.formats.frame_names import file_of_frame
+from procc_annotator.formats.frame_names import files_of_frames
 from procc_annotator.interaction.palette import SOURCE_COLOURS
 from procc_annotator.messages import condensed
 from procc_annotator.metrics.setup import EvaluationSetup, check_thresholds
@@ -131,8 +138,8 @@ def _opened(
         place = folder / "annotations"
         make_folder(place)
         with open_target(place) as target:
-            for frame, one in frames.items():
-                target.write(file_of_frame(frame, ".json"), write_annotation(as_annotation(one)))
+            for frame, file in files_of_frames(frames, ".json").items():
+                target.write(file, write_annotation(as_annotation(frames[frame])))
         setup = EvaluationSetup(
             known, as_size(options.get("size", DEFAULT_SIZE)), options.get("protocol", "soccernet"),
             options.get("allow_mirrored", False), options.get("off_plane", "missed"),
@@ -151,9 +158,9 @@ def _opened(
             cameras[called] = CamerasInMemory(cameras_of(method, names, called), called, known)
         cameras = {called: cameras[called] for called in methods}
         of_files = not any(isinstance(one, CamerasInMemory) for one in cameras.values())
-        workers = options.get("workers", 1) or None if of_files else 1
+        workers = as_whole_number(options.get("workers", 1), "workers", 0) or None
         source = opened.enter_context(open_annotations(place, known))
-        executor = opened.enter_context(make_executor(workers))
+        executor = opened.enter_context(make_executor(workers if of_files else 1))
         try:
             yield _Opened(name, source, cameras, setup, own, dataset.pictures, executor, folder)
         except UsageError as error:  # may name the folder, which no caller knows
@@ -163,6 +170,8 @@ def _opened(
 def _require_methods(methods: object) -> None:
     if not methods:
         raise UsageError("there is no method to evaluate")
+    if isinstance(methods, Mapping) and not all(str(name).strip() for name in methods):
+        raise UsageError("methods: expected a name for each, found an empty one")
 
 
 def _warn_of(notices: Mapping[str, Mapping[str, int]]) -> None:
@@ -220,6 +229,8 @@ def write_report(
         SaveError: a file cannot be written.
     """
     files = [as_path(one, "a report") for one in ([path] if isinstance(path, str | Path) else path)]
+    if not files:
+        raise UsageError("path: expected a file to write, found none")
     kinds, chosen = set(map(report.report_kind, files)), check_thresholds(thresholds)
     _require_methods(methods)
     with _opened(annotations, methods, options, over_time) as one:
@@ -230,7 +241,7 @@ def write_report(
         report.check_request(request, list(one.cameras))
         work, settings = (
             ReportWork(one.executor),
-            InferenceSettings(draws=BootstrapSettings(seed=seed)),
+            InferenceSettings(draws=BootstrapSettings(seed=as_whole_number(seed, "seed", 0))),
         )
         gathered = gather_report(one.requests, chosen, work, settings)
         steady = tuple(one.over_time(chosen[0])) if over_time else ()
@@ -279,9 +290,9 @@ def compare_methods(
         UsageError, InputError: as of `write_report`.
     """
     _require_methods(methods)
-    if not isinstance(resamples, int) or resamples < _FEWEST_RESAMPLES:
-        raise UsageError(f"resamples: expected at least {_FEWEST_RESAMPLES}, found {resamples!r}")
-    settings = InferenceSettings(cluster, draws=BootstrapSettings(resamples, seed))
+    as_whole_number(resamples, "resamples", _FEWEST_RESAMPLES)
+    draws = BootstrapSettings(resamples, as_whole_number(seed, "seed", 0))
+    settings = InferenceSettings(cluster, draws=draws)
     chosen = check_thresholds(thresholds)
     with _opened(annotations, methods, options, over_time) as one:
         file, unwritten = one.folder / "scores.json", dict[Path, ProccError]()
@@ -343,6 +354,7 @@ def compare_cameras(
     Raises:
         UsageError, InputError: as of `write_report`.
     """
+    frames = as_frame_names(frames)
     given, both = dict.fromkeys(frames or (), FrameAnnotation()), {"a": a, "b": b}
     with _opened(given, both, options, every_frame=frames is None) as one:
         first, second = one.sets

@@ -11,10 +11,10 @@ import typer
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo, example_epilog
 from procc_annotator.cli.open import display_available, require_qt_libraries
-from procc_annotator.cli.options import chosen_field, named_field
+from procc_annotator.cli.options import chosen_field
 from procc_annotator.cli.outputs import check_not_inputs, check_output_folder
 from procc_annotator.errors import FieldError, UsageError
-from procc_annotator.field.load import field_names, load_field, place_in_file
+from procc_annotator.field.load import field_names, load_field, named_field, place_in_file
 from procc_annotator.field.model import Field
 from procc_annotator.field.validation import WarningSeverity, validate_field
 from procc_annotator.formats.atomic import write_atomic

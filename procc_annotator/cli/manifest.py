@@ -17,10 +17,9 @@ import typer
 
 from procc_annotator.cli import outputs
 from procc_annotator.cli.inference_options import noise_file
-from procc_annotator.cli.options import named_field
 from procc_annotator.dataset import layout as folders
 from procc_annotator.errors import InputError
-from procc_annotator.field.load import field_fingerprint
+from procc_annotator.field.load import field_fingerprint, named_field
 from procc_annotator.formats.annotations.label_map import LABELS_FILE
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_listing import list_annotations

@@ -19,8 +19,8 @@ from procc_annotator.dataset.dataset_field import (
 )
 from procc_annotator.dataset.landmarks.dataset_landmarks import field_of_dataset_with_landmarks
 from procc_annotator.dataset.layout import FIELD_FILE
-from procc_annotator.errors import FieldError, InputError, UsageError
-from procc_annotator.field.load import load_field, with_lines
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.field.load import load_field_of, with_lines
 from procc_annotator.field.model import LINE_POSITIONS, Field, PixelAspect
 from procc_annotator.formats.annotations.label_map import LabelMap, read_label_map
 from procc_annotator.formats.file_source import ZipSource
@@ -57,53 +57,13 @@ def chosen_field(
         InputError: the file of their landmarks cannot be used.
         UsageError: dimensions that are not written as ``name=metres``; datasets of several fields.
     """
-    field = _own_field(*datasets) if text is None else _named_field(text)
+    field = _own_field(*datasets) if text is None else load_field_of(text)
     field = field if lines is None else with_lines(field, lines)
     if text is not None and datasets and datasets[0] is not None:
         field = with_dataset_pixels(field, datasets[0])
     if (pixels := parse_pixel_aspect(pixel_aspect)) is not None:
         field = replace(field, pixels=pixels)
     return field_of_dataset_with_landmarks(field, *(place for place in datasets if place))
-
-
-def _named_field(text: str) -> Field:
-    name, dimensions = named_field(text)
-    return load_field(name, **dimensions)
-
-
-def named_field(text: str) -> tuple[str, dict[str, float]]:
-    """Return what the option names: a field, and dimensions in metres by name; UsageError for
-    dimensions that are not written as ``name=metres``."""
-    name, colon, given = text.rpartition(":")
-    if not name or ("=" not in given and not _is_dimension(name, colon, given)):
-        return text, {}
-    dimensions: dict[str, float] = {}
-    for part in given.split(","):
-        key, _, value = (word.strip() for word in part.partition("="))
-        if key in dimensions:
-            raise UsageError(f"--field {text}: {key} is given twice")
-        try:
-            dimensions[key] = float(value)
-        except ValueError as error:
-            wanted = _dimension_example(name, key)
-            said = f"{part!r} is no dimension, write" if part else "write"
-            raise UsageError(f"--field {text}: {said} e.g. {wanted} (metres)") from error
-    return name, dimensions
-
-
-def _is_dimension(name: str, colon: str, given: str) -> bool:
-    """Return whether what follows a colon can only be meant for a dimension: it belongs to no
-    path."""
-    return bool(colon) and not any(mark in given for mark in "/\\.") and len(name) > 1
-
-
-def _dimension_example(name: str, key: str) -> str:
-    try:
-        field = load_field(name)
-    except FieldError:
-        return f"{name}:length=28"
-    shown = field.dimension(key) or next(iter(field.dimensions), None)
-    return f"{name}:{shown.name}={shown.value:g}" if shown is not None else name
 
 
 def _own_field(*datasets: Path | None) -> Field:

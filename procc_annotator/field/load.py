@@ -12,7 +12,7 @@ from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 
-from procc_annotator.errors import FieldError, InputError
+from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.file_reader import line_number_of, read_field
 from procc_annotator.field.formulas import did_you_mean
 from procc_annotator.field.landmarks import field_at, with_landmarks
@@ -74,6 +74,47 @@ def load_field(name_or_path: str | Path | None = None, **dimensions: float) -> F
     if name_or_path is None:
         name_or_path = default_field_name()
     return _load(name_or_path, dimensions)
+
+
+def load_field_of(text: str) -> Field:
+    """The field that a text names, with its dimensions if any are given: ``soccer:length=105``."""
+    name, dimensions = named_field(text)
+    return load_field(name, **dimensions)
+
+
+def named_field(text: str) -> tuple[str, dict[str, float]]:
+    """Return the field, and dimensions in metres by name, of ``soccer:length=105``; UsageError for
+    dimensions that are not written as ``name=metres``."""
+    name, colon, given = text.rpartition(":")
+    if not name or ("=" not in given and not _is_dimension(name, colon, given)):
+        return text, {}
+    dimensions: dict[str, float] = {}
+    for part in given.split(","):
+        key, _, value = (word.strip() for word in part.partition("="))
+        if key in dimensions:
+            raise UsageError(f"field {text}: {key} is given twice")
+        try:
+            dimensions[key] = float(value)
+        except ValueError as error:
+            wanted = _dimension_example(name, key)
+            said = f"{part!r} is no dimension, write" if part else "write"
+            raise UsageError(f"field {text}: {said} e.g. {wanted} (metres)") from error
+    return name, dimensions
+
+
+def _is_dimension(name: str, colon: str, given: str) -> bool:
+    """Return whether what follows a colon can only be meant for a dimension: it belongs to no
+    path."""
+    return bool(colon) and not any(mark in given for mark in "/\\.") and len(name) > 1
+
+
+def _dimension_example(name: str, key: str) -> str:
+    try:
+        field = load_field(name)
+    except FieldError:
+        return f"{name}:length=28"
+    shown = field.dimension(key) or next(iter(field.dimensions), None)
+    return f"{name}:{shown.name}={shown.value:g}" if shown is not None else name
 
 
 def _load(

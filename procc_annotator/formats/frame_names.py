@@ -82,6 +82,25 @@ def file_of_frame(frame: str, suffix: str, prefix: str = "") -> str:
     return f"{folder}{slash}{prefix}{name}{suffix}"
 
 
+def files_of_frames(frames: Iterable[str], suffix: str) -> dict[str, str]:
+    """The files of frames that are written together, by frame.
+
+    Raises:
+        UsageError: a name leads out of the folder, or some lie at the top (or in its only folder)
+            and others deeper, where they would not be looked for.
+    """
+    files = {frame: file_of_frame(frame, suffix) for frame in frames}
+    alone = len({file.partition("/")[0] for file in files.values() if "/" in file}) == 1
+    top = {frame for frame, file in files.items() if "/" not in file}
+    top = top or {frame for frame, file in files.items() if alone and file.count("/") == 1}
+    if top and (deeper := [frame for frame in files if frame not in top]):
+        raise UsageError(
+            f"the frames {min(top)!r} and {deeper[0]!r} lie at several depths, where only"
+            " the first is looked for: expected all in folders of one depth"
+        )
+    return files
+
+
 T = TypeVar("T")
 D = TypeVar("D")
 

@@ -124,6 +124,14 @@ def test_wrong_arguments_are_one_error_each(given, tmp_path):
         ("pairs of names", lambda: write_report(
             tmp_path / "a.csv", annotations, two, disagreement=(("values",),))),
         ("names of frames", lambda: save_projection(tmp_path / "p", methods["values"], "00001")),
+        ("at least one", lambda: save_projection(tmp_path / "p", methods["values"], [])),
+        ("at least one", lambda: compare_cameras(methods["values"], methods["folder"], "00001")),
+        ("'1' and 'a/2' lie at several depths", lambda: save_projection(
+            tmp_path / "p", lambda _: methods["values"]["00002"], ["1", "a/2"])),
+        ("seed: expected a whole", lambda: write_report(
+            tmp_path / "a.csv", annotations, two, seed="x")),
+        ("workers: expected a whole", lambda: compare_methods(annotations, two, workers="2")),
+        ("is no dimension", lambda: evaluate_set(annotations, two["values"], field="soccer:a=x")),
     ):  # fmt: skip
         with pytest.raises(UsageError, match=match):
             call()
