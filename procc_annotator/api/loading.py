@@ -252,8 +252,10 @@ def load_cameras(
                 f"{cameras.path}: holds no camera (format {format})"
                 + found_instead_of_cameras(cameras.path)
             )
-    for notice, count in notices.items():
-        warnings.warn(f"{path}: {notice} ({pluralize(count, 'camera')})", stacklevel=2)
+        told = [*cameras.notices]
+    told += (f"{notice} ({pluralize(count, 'camera')})" for notice, count in notices.items())
+    for notice in told:
+        warnings.warn(f"{path}: {notice}", stacklevel=2)
     return found
 
 

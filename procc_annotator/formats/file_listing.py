@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import lru_cache
 from posixpath import splitext
 from typing import Any
@@ -25,6 +25,7 @@ from procc_annotator.formats.frame_names import (
 )
 from procc_annotator.formats.landmark_file import LANDMARKS_FILE
 from procc_annotator.formats.strict_json import printable, strip_bom
+from procc_annotator.messages import list_names
 
 _NUMBER = re.compile(r"\d+")
 # So many files with names alike but for their numbers are frames; only names unlike them are worth
@@ -291,6 +292,9 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
             f" {'an annotation, not a camera' if count == 1 else 'annotations, not cameras'},"
             f" because of camera_*.json beside {'it' if count == 1 else 'them'}",
         )
+    if found and not in_tree and (below := _cameras_below(source, {*found.values()})):
+        left_out = f"{list_names(below, 'file')} in folders below left out: keep all at one depth"
+        found.notices = (*found.notices, left_out)
     both = len(others.keys() & cameras.keys())
     if both:
         found.notices = (
@@ -300,6 +304,20 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
             " (choose a camera format to have the other)",
         )
     return found
+
+
+def _cameras_below(source: FileSource, names: Collection[str]) -> list[str]:
+    """Files like those of a folder of cameras that lie deeper, unless they are next to pictures or
+    may be annotations."""
+    try:
+        files = source.tree()
+    except InputError:  # a disk
+        return []
+    if any(map(PICTURE_SUFFIX.search, files)):
+        return []
+    kinds = {splitext(name)[1] for name in names}
+    below = [n for n in files if "/" in n and n not in names and splitext(n)[1] in kinds]
+    return [name for name in below if f"{ANNOTATIONS_FOLDER}/" not in name]
 
 
 def camera_name(frame: str) -> str:

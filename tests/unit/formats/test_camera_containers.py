@@ -75,6 +75,14 @@ def test_what_lies_beside_a_container_does_no_harm(tmp_path):
         assert "results.json" in cameras.notices[0]
 
 
+def test_cameras_deeper_than_others_are_named(tmp_path):
+    folder = make(tmp_path / "run", {"camera_1.json": SOCCERNET})
+    make(folder / "a", {"camera_2.json": SOCCERNET, "notes.txt": "1"})
+    with CameraCollection.open(folder) as cameras:
+        assert [*cameras.frames] == ["1"]
+        assert cameras.notices[0].startswith("1 file (a/camera_2.json) in folders below left out")
+
+
 def test_several_containers_are_one_collection_unless_they_share_a_frame(tmp_path):
     halves = {
         "half1.json": {"1.jpg": {"cp": SOCCERNET}},
