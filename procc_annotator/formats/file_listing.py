@@ -28,6 +28,7 @@ from procc_annotator.formats.strict_json import printable, strip_bom
 from procc_annotator.messages import list_names
 
 _NUMBER = re.compile(r"\d+")
+_CALIBRATION = re.compile(r"calib.*\.toml", re.IGNORECASE)
 # So many files with names alike but for their numbers are frames; only names unlike them are worth
 # a look, so that 20,000 frames are listed without opening one.
 _ALIKE = 20
@@ -265,6 +266,9 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     if not names and fmt == "auto":
         alone = [name for name in source.files() if splitext(name)[1].lower() in ALONE_SUFFIXES]
         names, in_tree = (alone, False) if len(alone) == 1 else (names, in_tree)
+        if not alone:  # Calib.toml in the folder of each match
+            names = [n for n in source.tree() if _CALIBRATION.fullmatch(_file_of(n))]
+            in_tree = True
     texts = {name for name in names if name.endswith(".txt")}
     names = [n for n in names if not (n.endswith(".bin") and f"{n[:-4]}.txt" in texts)]
     frame_of = _frame_of_camera_in_tree if in_tree else camera_frame

@@ -21,8 +21,9 @@ SIZE_KEYS = (("image_width", "image_height"), ("image_Width", "image_Height"), (
 _CAMERA_KEY = re.compile(
     r"(^|_)(dist(ortions?)?|coef+s?|coefficients?|radial|tangential|prism|lens|fisheye|intrinsics?|"
     r"focal|principal|fov|skew|rotations?|rot|rvecs?|translations?|tvecs?|pose|extrinsics?|position|"
-    r"orientation|quat(ernion)?|euler|pan|tilt|roll|yaw|transform|projection|homography|units?)(_|\d|$)|"
-    r"^(k\d|p[12]|s[1-4]|f|fl|f[xy]|c[xy]|[uv]0|kc|xi|mtx|c2w|w2c|camera_(matrix|model|cent(er|re)))$|"
+    r"orientation|quat(ernion)?|euler|pan|tilt|roll|yaw|transform|projection|homography|units?|lambda|"
+    r"division|omega|tau|zoom|crop(ped)?|shift|aspect|pupil|mirror(ed)?|camera_matrix)(_|\d|$)|"
+    r"^(k\d|p[12]|s[1-4]|f|fl|f[xy]|c[xy]|[uv]0|kc|xi|mtx|c2w|w2c|camera_(model|cent(er|re)))$|"
     r"^((image|img|im|picture|frame|video|sensor|camera|original)_?)?"
     r"(size|resolution|shape|width|height|[wh])$"
 )

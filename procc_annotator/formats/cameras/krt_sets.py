@@ -24,7 +24,10 @@ from procc_annotator.formats.cameras.loaded_camera import (
 )
 from procc_annotator.messages import pluralize
 
-NAME_KEYS = ("frames", "names", "image_names", "filenames", "images", "image_paths")
+NAME_KEYS = (
+    "frames", "frame_ids", "frame_numbers", "frame_names", "names", "image_names", "filenames",
+    "images", "image_paths",
+)  # fmt: skip
 _OWN_NAME = ("name", "image_name", "img_name", "frame", "file_name", "id")
 BY_ORDER = "the file names no frames: they are called 0, 1, 2 ... by the order in it"
 # What OpenCV's calibration tutorials call the same in their .npz files.
@@ -92,7 +95,8 @@ def _stack_records(content: dict[str, Any], path: str, keys: KrtKeys) -> CameraR
         some = ", ".join(f"{n} of {key}" for key, n in counts.items())
         raise CameraError(path, f"holds {some}, expected one of each part a frame")
     key = next((k for k in NAME_KEYS if _are_names(content.get(k))), None)
-    names = [str(name) for name in content[key]] if key else [str(i) for i in range(frames)]
+    given = content[key] if key else range(frames)
+    names = [str(int(n) if type(n) is float and n.is_integer() else n) for n in given]
     if len(names) != frames:
         raise CameraError(path, f"holds {len(names)} names for {frames} cameras", place=str(key))
     entries = []

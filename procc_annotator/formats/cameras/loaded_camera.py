@@ -12,7 +12,12 @@ import numpy as np
 from procc_annotator.arrays import FloatArray
 from procc_annotator.camera.backprojection import ground_from_px
 from procc_annotator.camera.base import CameraOrProjections, ElementProjections, scaled_camera
-from procc_annotator.camera.models import FisheyeCamera, MatrixCamera, PinholeCamera
+from procc_annotator.camera.models import (
+    FisheyeCamera,
+    HomographyCamera,
+    MatrixCamera,
+    PinholeCamera,
+)
 from procc_annotator.errors import CameraError
 from procc_annotator.field.load import field_titles, is_builtin_field
 from procc_annotator.field.model import Field
@@ -233,15 +238,24 @@ def field_mismatch(assumed: str, field: Field) -> str:
 
 
 _FAR_M = 1000.0
+_MIRRORED = (
+    "mirrors the ground, as if seen from below: expected y towards the main camera (negate its y,"
+    " unless the picture is mirrored)"
+)
 
 
 def with_plausibility_remark(loaded: LoadedCamera) -> LoadedCamera:
-    """The same with a remark where no camera stands: below the ground, or a kilometre away.
+    """The same with a remark where no camera stands: below the ground, or a kilometre away; a
+    homography shows the former by its orientation.
 
     Structure from motion finds a world up to its place, turn and size; only who laid it upon the
     field can know whether that was done.
     """
     camera = loaded.camera
+    if isinstance(camera, HomographyCamera):
+        # From above, x, y and the picture turn the same way round; from below they are mirrored.
+        mirrored = np.linalg.det(camera.image_from_world) < 0
+        return with_notices(loaded, (_MIRRORED,)) if mirrored else loaded
     if isinstance(camera, MatrixCamera):
         matrix = camera.image_from_world
         x, y, z = -np.linalg.solve(matrix[:, :3], matrix[:, 3])

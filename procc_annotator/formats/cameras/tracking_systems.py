@@ -272,5 +272,8 @@ def is_fifa(content: Any) -> bool:
 
 
 def is_model_world(content: Any) -> bool:
-    """Return whether decoded arrays are what VGGT or MegaSaM write."""
-    return MODEL_WORLD.are_in(content) and KRT_KEYS.k[0] not in content
+    """Return whether decoded arrays are what VGGT or MegaSaM write: stacks, without a size."""
+    if not MODEL_WORLD.are_in(content) or {KRT_KEYS.k[0], "width"} & content.keys():
+        return False
+    poses = (*MODEL_WORLD.pose, *MODEL_WORLD.inverse_pose)
+    return any(depth_of(content.get(key)) > 2 for key in poses)

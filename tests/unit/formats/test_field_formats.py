@@ -309,12 +309,26 @@ def test_a_distortion_in_other_units_is_refused(model, radial, problem, tmp_path
         cameras.read("c")
 
 
+def test_calibrations_in_the_folders_of_matches_and_names_of_a_sequence(tmp_path):
+    for match in ("a", "b"):
+        (tmp_path / match).mkdir()
+        (tmp_path / match / "Calib.toml").write_bytes(pose2sim())
+    with CameraCollection.open(tmp_path) as cameras:
+        assert {"a/cam_01", "b/cam_01"} <= set(cameras.frames)
+    data = npz(K=np.stack([K] * 2), R=np.stack([R] * 2), t=np.stack([T] * 2), frame_ids=[7, 8])
+    (file := tmp_path / "seq.npz").write_bytes(data)
+    with CameraCollection.open(file) as cameras:
+        assert [*cameras.frames] == ["7", "8"]
+
+
 def test_hints_about_a_world_are_those_of_every_format(tmp_path):
     up = np.column_stack((R @ UP, T))
     for name, data, expected in (
         ("a.npz", npz(K=K[None], R=(R @ UP)[None], t=T[None]), "its z is up"),
         ("a.toml", f"[c]\nK = {K.tolist()}\nw2c = {up.tolist()}".encode(), "its z is up"),
         ("a.csv", rows(["frame", "H"], [1, GROUND.tolist()]), "takes the ground to the picture"),
+        ("c.csv", rows(["frame", "H"], [1, (np.diag([1, -1, 1]) @ np.linalg.inv(GROUND)).tolist()]),
+         "mirrors the ground"),
         ("b.csv", rows(["frame", "H"], [1, (np.diag([100, 100, 1]) @ np.linalg.inv(GROUND))
                                         .tolist()]), "looks like centimetres"),
         ("a.dlt2d", rows(["frame", *(f"dlt_param_{i}" for i in range(1, 9))],
