@@ -299,7 +299,7 @@ def _inputs(
     if any(one.camera is not None for one in inputs):
         return inputs
     what = "no frame that is annotated has a camera" if inputs else "no annotated frame"
-    theirs = next((name for name, camera in by_frame.items() if camera is not None), None)
+    theirs = next((name for name in by_frame if name not in annotations), None)
     if inputs and theirs is not None:
         what += f" (annotations are named like {inputs[0].name!r}, cameras like {theirs!r})"
     raise UsageError(f"nothing to score: {what}")

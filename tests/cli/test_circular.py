@@ -60,16 +60,24 @@ def test_fits_without_marks_are_found_and_published_methods_are_not(cli, wc14, f
             else re.sub(rb"# annotation_sha256.*\n", b"", data)
         )
         (tmp_path / path.parent.name / path.name).write_bytes(plain)
+    (tmp_path / "turned").mkdir()
+    for path in (tmp_path / "R").glob("*.json"):
+        camera = json.loads(path.read_text())
+        x, y, z = camera["position_meters"]
+        camera |= {"pan_degrees": camera["pan_degrees"] + 180, "position_meters": [-x, -y, z]}
+        (tmp_path / "turned" / path.name).write_text(json.dumps(camera))
     marks, tested = described(
-        cli, wc14 / "annotations", P=tmp_path / "P", R=tmp_path / "R", Rp=tmp_path / "R+",
+        cli, wc14 / "annotations", P=tmp_path / "P", turned=tmp_path / "turned",
+        R=tmp_path / "R", Rp=tmp_path / "R+",
         H=tmp_path / "H", pnl=wc14 / "cameras_pnlcalib", nbjw=wc14 / "cameras_nbjw",
         carwc=wc14 / "homographies_carwc",
     )  # fmt: skip
     methods = dict.fromkeys(("pnl", "nbjw", "carwc"), "")
-    assert marks == dict.fromkeys(("P", "R", "Rp", "H"), "§") | methods
+    unmarked = {"P", "R", "Rp", "H", "turned"}
+    assert marks == dict.fromkeys(unmarked, "§") | methods
     assert tested == {("pnl", "nbjw"), ("pnl", "carwc"), ("nbjw", "carwc")}
     scores = json.loads((wc14 / "s.json").read_text())["evaluations"]
-    assert {s["method"] for s in scores if "too_close_to_clicks" in s} == {"P", "R", "Rp", "H"}
+    assert {s["method"] for s in scores if "too_close_to_clicks" in s} == unmarked
 
 
 def test_marks_survive_conversion_copying_and_changed_clicks(cli, wc14, fits, tmp_path):

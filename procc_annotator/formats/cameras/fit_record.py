@@ -40,6 +40,7 @@ FIT_KEY = "fit"  # of a camera file: what it was fitted from
 UNCERTAINTY = "uncertainty"  # among that: vector and covariance of its parameters
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format
+_NEAR = 0.02  # of the picture's width: elements of the right labels are nearer
 _MARK = re.compile(rb"annotation_sha256\W{1,8}([0-9a-f]{64})")
 
 
@@ -143,10 +144,14 @@ NOT_FITTED = FitCounts()
 
 
 def _evidence(measurement: Measurement) -> float | None:
-    plain = measurement.plain
-    counts = np.array(plain.point_counts, dtype=np.intp)
-    shown = np.repeat(np.array(plain.projected, dtype=bool), counts)
-    feet = [own for own in nearest_points(measurement, plain) if own is not None]
+    # A fit that was turned by half explains the labels of the turned field.
+    near_px = _NEAR * measurement.setup.size[0]
+    labels = max(
+        (measurement.plain, *measurement.mirrored), key=lambda one: one.worst.searchsorted(near_px)
+    )
+    counts = np.array(labels.point_counts, dtype=np.intp)
+    shown = np.repeat(np.array(labels.projected, dtype=bool), counts)
+    feet = [own for own in nearest_points(measurement, labels) if own is not None]
     if not feet:
         return None
     points = measurement.points_px[shown]
