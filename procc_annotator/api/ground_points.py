@@ -105,7 +105,8 @@ def to_ground(
     """
     table, known = _table(points, metres=False), as_field(field)
     factors, offsets = _axes(axes, known)
-    if pixel_sd is not None and not 0 <= pixel_sd < np.inf:
+    known_sd = isinstance(pixel_sd, int | float) and 0 <= pixel_sd < np.inf
+    if pixel_sd is not None and not known_sd:
         raise UsageError(f"pixel_sd: expected a standard deviation in px, found {pixel_sd!r}")
     ground, sds = np.full_like(table.places, np.nan), np.full_like(table.places, np.nan)
     views = _views(table, cameras, known, size, camera_size)
@@ -191,17 +192,19 @@ def homography_of(
         camera: as `evaluate` takes it.
         region: ``field``, or (x0, y0, x1, y1) metres; what the picture shows of it counts.
         field: and camera_size: as of `evaluate`.
-        size: (width, height) px of the picture; None for the camera's.
+        size: (width, height) px of the picture; None for what a fit or a file states.
 
     Returns:
         The homography as a ``camera`` (px of ``size``), with its largest and mean errors over the
         region: ``max_m``, ``mean_m``, ``max_px``, ``mean_px``.
 
     Raises:
-        UsageError: no region, or the picture shows too little of it.
+        UsageError: no region or size, or the picture shows too little of it.
     """
     known, own = as_field(field), as_optional_size(camera_size)
-    at = as_optional_size(size) or getattr(camera, "size", None) or own or DEFAULT_SIZE
+    at = as_optional_size(size) or getattr(camera, "size", None) or own
+    if at is None:
+        raise UsageError("size: the camera states no picture size, give (width, height)")
     used = require_camera_model(camera_at_size(camera, at, own, field=known).camera)
     found = nearest_homography(used, region_of(region, known), at)
     if found is None:
@@ -215,7 +218,10 @@ def _table(points: Points, *, metres: bool) -> PointTable:
     rows = points.to_dict("records") if hasattr(points, "to_dict") else points
     if not isinstance(rows, Sequence) or not all(isinstance(row, Mapping) for row in rows):
         raise UsageError(f"points: expected rows, a DataFrame or a path, found {kind_of(points)}")
-    return PointTable.of([dict(row) for row in rows], "points", metres=metres)
+    plain = [
+        {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in row.items()} for row in rows
+    ]
+    return PointTable.of(plain, "points", metres=metres)
 
 
 def _axes(name: str, known: Field) -> tuple[FloatArray, FloatArray]:

@@ -179,7 +179,11 @@ def test_a_bent_camera_becomes_the_nearest_homography_of_a_region_with_its_error
     off = written.camera.ground_from_px(px) - expected(cameras, 480, 300)
     assert 0 < part.mean_m < part.max_m < whole.max_m
     assert np.hypot(*off[0]) < 0.5
-    for region, says in [("here", "expected field, or"), ((80, 80, 90, 90), "too little")]:
+    for region, size, says in [
+        ("here", (960, 540), "expected field, or"),
+        ((80, 80, 90, 90), (960, 540), "too little"),
+        ("field", None, "states no picture size"),
+    ]:
         with pytest.raises(UsageError, match=says):
-            homography_of(bent_camera, region)
+            homography_of(bent_camera, region, size=size)
     cli("convert", cameras, tmp_path / "c", "--to", "krt", "--region", "field", code=2)
