@@ -287,13 +287,8 @@ def set_pixel_aspect(
 ) -> PixelAspect | None:
     """Find out how wide the pixels of a set are, from some of its pictures.
 
-    Args:
-        frames: of one source: their names and pictures.
-        field: the elements, metres.
-        go_on: called between steps; what it raises ends the search.
-
-    Returns:
-        None where pictures have a shape that cameras make.
+    ``go_on`` is called between steps; what it raises ends the search. None where pictures have a
+    shape that cameras make.
     """
 
     def pictures() -> Iterator[tuple[PixelArray, Field]]:
@@ -358,13 +353,8 @@ class SecondPass:
 
 
 def second_pass(run: ProposalRun, found: Sequence[Proposed]) -> SecondPass | None:
-    """Return what a second look at a set is to be, if its sure frames agree on a position and
-    others may gain by it.
-
-    Args:
-        run: that is done; its executor does this one too.
-        found: its results.
-    """
+    """Return what a second look at a set, of a run that is done and its results, is to be, if its
+    sure frames agree on a position and others may gain by it; the same executor does it."""
     before = {one.name: one for one in found if one.proposal is not None and not one.is_sure}
     sure = [one.proposal.fit for one in found if one.is_sure and one.proposal is not None]
     others = [one.proposal.fit for one in before.values() if one.proposal is not None]

@@ -67,8 +67,6 @@ def estimate_dimensions(
     """Find dimensions from all frames of a set.
 
     Args:
-        read: frame -> reads its annotation.
-        field: the elements.
         size: (width, height) px of the pictures.
         model: P, R or R+.
         names: of dimensions, see `fit_dimensions`.
@@ -347,12 +345,9 @@ def find_field_sizes(
     names: Sequence[str] | None = None,
     progress: Progress = lambda done, total: None,
 ) -> list[FieldSize]:
-    """The dimensions of the stadium of every group.
+    """The dimensions of the stadium of every group; frames are scored before and after.
 
     Args:
-        fits: the set.
-        fitted: what it gave.
-        setup, thresholds: what the frames are scored with before and after.
         names: of dimensions, see `fit_dimensions`.
         progress: takes what is done and the total.
 

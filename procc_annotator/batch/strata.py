@@ -86,8 +86,6 @@ def values_of_frames(
     Args:
         by: a tag, one of `DERIVED`, or `MODEL`. A tag that is called as one of `DERIVED` counts:
             anyone who gives it means it.
-        sources: over the same frames.
-        field: its size gives the sides.
         tags: of the tag, by frame; empty where `by` is none.
         order: the dataset's table of frames; without it names give the shots.
         poses: of cameras fitted to the annotations, by frame, for `POSED`.

@@ -66,13 +66,8 @@ def games_of(frames: Iterable[ExchangedFrame], pictures: str) -> list[Game]:
 
 
 def write_game(game: Game, writing: WriteContext, write: Callable[[WriteContext], None]) -> None:
-    """Write a game into its folder, and count and report what became of it with the whole set.
-
-    Args:
-        game: its frames.
-        writing: of the whole set.
-        write: writes the game's frames by what it is given.
-    """
+    """Write a game into its folder by `write`, and count and report what became of it with the
+    whole set."""
 
     def put(name: str, data: bytes) -> bool:
         return writing.put(f"{game.folder}/{name}" if game.folder else name, data)

@@ -219,13 +219,7 @@ def check_picture_suffix(path: PurePath) -> None:
 
 
 def field_picture(field: Field, flat: FlatField, suffix: str) -> bytes:
-    """The picture as a file of its own.
-
-    Args:
-        field: what is drawn.
-        flat: where its elements are on the map.
-        suffix: one of `SUFFIXES`.
-    """
+    """The picture of a field on a map as a file of its own, with one of `SUFFIXES`."""
     import warnings
 
     import matplotlib

@@ -121,8 +121,6 @@ def check_set(
     """Check a set and write what was found.
 
     Args:
-        run: the set.
-        progress: shows the progress of what it passes on.
         outputs: .csv and .json files, each replaced in one step.
         least: what is less severe is left out.
         wrong_field: as of `CheckReport`.

@@ -68,11 +68,10 @@ def overview_rows(
     scores: Mapping[str, float],
     progress: Callable[[int, int], None],
 ) -> list[OverviewRow]:
-    """Return one row per frame; unreadable annotations count as not annotated.
+    """Return one row per frame, with its JaC of ``scores`` by frame name.
 
-    Args:
-        scores: JaC by frame name.
-        progress: receives the number of finished frames and of all frames; may raise to stop.
+    Unreadable annotations count as not annotated. ``progress`` receives the
+    number of finished frames and of all frames; it may raise to stop.
 
     Raises:
         InputError: the database cannot be read completely.

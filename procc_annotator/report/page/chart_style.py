@@ -92,13 +92,8 @@ class Panel:
 
 
 def draw_chart(number: int, title: str, text: str, panels: Sequence[Panel]) -> Chart:
-    """Draw a chart.
-
-    Args:
-        number: distinguishes the ids of the page's charts.
-        title, text: see `Chart`; the title is also what a screen reader says.
-        panels: at least one.
-    """
+    """Draw a chart of at least one panel; ``number`` distinguishes the ids of the page's charts,
+    and a screen reader says the title."""
     import warnings
 
     import matplotlib

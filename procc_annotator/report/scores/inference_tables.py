@@ -51,13 +51,8 @@ def inference_tables(
     *,
     power: bool = False,
 ) -> list[MetricTable]:
-    """Everything that can be reported of some sources; of a single one there is nothing to compare.
-
-    Args:
-        summaries: the figures of each source, by threshold.
-        described: protocol, size and options.
-        power: whether to say how many frames are needed.
-    """
+    """Everything that can be reported of some sources, with the figures of each by threshold; of a
+    single one there is nothing to compare. ``power``: whether to say how many frames are needed."""
     sheets = [intervals_table(certainty, summaries, described)]
     if certainty.pairs:
         sheets += [differences_table(certainty, described), ranks_table(certainty, described)]
