@@ -164,7 +164,8 @@ def load_annotations(
         on_damaged: and labels: as of `load_dataset`.
 
     Returns:
-        Frame name -> its annotation, see `load_annotation`, in natural order.
+        Frame name -> its annotation, see `load_annotation`, in natural order. What was left out of
+        files of other programs is a warning.
 
     Raises:
         InputError: a file cannot be used; the message names it, the place and what was expected.
@@ -311,7 +312,11 @@ def _frames(
             size_of=sizes.size, pictures=sizes.names(), called=sizes.called,
         )  # fmt: skip
         reader.reading.on_problem = on_damaged or _raise
-        return list(reader.frames())
+        frames = list(reader.frames())
+    for loss in reader.losses:
+        if "left out" in loss:  # others say how it was read
+            warnings.warn(f"{place}: {loss}", stacklevel=3)
+    return frames
 
 
 def _raise(error: ProccError) -> None:

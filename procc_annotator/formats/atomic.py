@@ -157,13 +157,11 @@ def advice_for(error: OSError) -> str:
 
 
 def remove_stale(fresh: Path) -> None:
-    """Remove temporary files that killed processes left in a folder; once in a process.
+    """Remove temporary files that killed processes left in the folder of a file that was made just
+    now, as its file system's clock has it; once in a process.
 
     A file that a living process on this machine writes is locked by it; others are left alone for
     ten minutes, in which a process on another machine writes to its file or renames it.
-
-    Args:
-        fresh: a file in the folder that was made just now, as its file system's clock has it.
     """
     if fresh.parent in _swept:
         return

@@ -418,9 +418,6 @@ def read_file(
 ) -> bytes:
     """A regular file's bytes.
 
-    Args:
-        shown_as: how to name it to a person, unless by its path.
-
     Raises:
         error: it does not exist, cannot be read, is a folder, a pipe or a device (which would be
             waited for), or is larger than `LARGEST_FILE`. ``__cause__`` is the system's own error

@@ -89,9 +89,6 @@ def decode_strict(
 ) -> Any:
     """The decoded value; a repeated key is an error, NaN and Infinity are let through.
 
-    Args:
-        parse_float: makes a number of the text of one that has a fraction or an exponent.
-
     Raises:
         error: not UTF-8, not JSON, or a repeated key.
     """
@@ -129,10 +126,7 @@ def decode_strict(
 def decode_as(
     data: bytes, kind: type[T], what: str, *, path: Path | str, error: type[InputError] = InputError
 ) -> T:
-    """The decoded value of a known type.
-
-    Args:
-        kind: of the value; what it does not know is left out.
+    """The decoded value of a known type, without keys that the type does not know.
 
     Raises:
         error: it is not UTF-8, not JSON, nested too deeply, or of another type.
@@ -164,10 +158,6 @@ def convert_as(
     error: type[InputError] = InputError,
 ) -> T:
     """A decoded value as a type of msgspec; keys that the type does not know are left out.
-
-    Args:
-        value: as of `decode_strict`.
-        kind: of the value.
 
     Raises:
         error: it is of another type: the place inside it, and what was expected.
@@ -337,7 +327,6 @@ def json_text(value: Any, open_levels: int = 2, indent: str = "") -> str:
     """A value as JSON; numbers with their longer text, the outer levels one entry a line.
 
     Args:
-        value: what `json.dumps` takes.
         open_levels: how many levels have their entries on lines of their own.
         indent: in front of the entries of this level.
     """

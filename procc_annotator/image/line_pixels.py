@@ -35,13 +35,10 @@ _PLAYER_KERNEL_PX, _HULL_KERNEL_PX = 25, 25
 
 
 def field_mask(picture: PixelArray) -> Mask:
-    """The ground, players on it included.
+    """The ground of a BGR picture, players on it included.
 
     The most frequent colour of what is smooth, in its largest piece; where that is little of the
     picture, further smooth colours that touch it and do not lie above.
-
-    Args:
-        picture: (H, W, 3) BGR.
 
     Returns:
         (h, 320) 1 where the ground is; nothing but 0 if nothing is smooth.

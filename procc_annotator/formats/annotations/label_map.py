@@ -45,11 +45,7 @@ class KeypointTemplate:
     elements: Mapping[str, tuple[int, ...]]
 
     def shapes(self, points: Sequence[Point | None]) -> Iterator[tuple[str, tuple[Point, ...]]]:
-        """The elements that any keypoint lies on, with their points.
-
-        Args:
-            points: the keypoints; None for those that are not labelled.
-        """
+        """The elements that any keypoint lies on (None: not labelled), with their points."""
         for name, places in self.elements.items():
             found = tuple(p for i in places if i < len(points) and (p := points[i]) is not None)
             if found:

@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
+from urllib.parse import unquote
 
 import numpy as np
 
@@ -45,7 +46,8 @@ _NAMED = {*_KINDS, "polygon"}
 _ON_ELEMENT_M = 0.06  # a line's middle lies up to half its width from its edge
 _SPACING_M = 0.05
 _PLACE = re.compile(r"\(\s*(-?\d+(?:\.\d+)?)\s*,\s*(-?\d+(?:\.\d+)?)\s*\)", re.ASCII)
-_UPLOADED = re.compile(r".*/upload/.*?/?[0-9a-f]{8}-(?=.)|.*\?d=")  # how Label Studio names files
+# How Label Studio names files: by address, uploads with a number in front.
+_ADDRESS, _UPLOADED = re.compile(r"/data/|\w+://"), re.compile(r".*/upload/.*?/?[0-9a-f]{8}-(?=.)")
 _MOST_SNIFFED = 20
 _SKIPPED = ("was_cancelled", "performance_details.skipped")
 _AUTHORS = ("completed_by.email", "completed_by", "label_details.created_by")
@@ -109,7 +111,8 @@ class Tool:
         if held and not any(shapes for shapes, _ in held):
             problem = f"holds {pluralize(len(held), 'picture')}, no annotation"
             problem += " but skipped ones" if any(remarks for _, remarks in held) else ""
-            raise AnnotationError(path, problem, advice="export it when it is annotated")
+            advice = "export it when it is annotated; drafts and predictions are not read"
+            raise AnnotationError(path, problem, advice=advice)
         called = [self._picture(one) or own for _, one in pictures]
         readers = [
             partial(self._read, one, *shapes, picture, names, path, place, reading)
@@ -144,9 +147,9 @@ class Tool:
         ]  # fmt: skip
 
     def _picture(self, one: Any) -> str:
-        texts = [v for way in self.picture for v in _all(one, way) if type(v) is str and v]
-        pictures = [text for text in texts if PICTURE_SUFFIX.search(text)]
-        return _UPLOADED.sub("", [*pictures, *texts, ""][0])
+        found = [v for way in self.picture for v in _all(one, way) if type(v) is str and v]
+        texts = [_of_address(text) if _ADDRESS.match(text) else text for text in found]
+        return next((t for t in texts if PICTURE_SUFFIX.search(t)), [*texts, ""][0])
 
     def _read(
         self, one: Any, shapes: list[tuple[str, Any]], remarks: list[str], picture: str,
@@ -283,6 +286,11 @@ def _first(content: Any, ways: Sequence[str]) -> Any:
         if ticked and ticked[0] not in (None, "") and (len(ways) < 2 or ticked[0] != []):
             return ticked[0]
     return None
+
+
+def _of_address(text: str) -> str:
+    path, _, query = text.partition("?")
+    return _UPLOADED.sub("", unquote(query.removeprefix("d=") if query[:2] == "d=" else path))
 
 
 def _may_be_points(value: Any) -> bool:

@@ -90,13 +90,8 @@ def draw_mask(
 ) -> _Mask:
     """(H, W) uint8: a class's value where its lines are, 0 elsewhere.
 
-    Where lines cross, the one later in the legend is on top, whatever the order of the file.
-
-    Args:
-        polylines: what is drawn; a single point becomes a dot.
-        values: class -> grey value.
-        size: (width, height) px.
-        line_width: px.
+    Where lines cross, the one later in the legend is on top, whatever the order of the file; a
+    single point becomes a dot. Size and width in px.
     """
     mask: _Mask = np.full((size[1], size[0]), BACKGROUND, dtype=np.uint8)
     for polyline in sorted(polylines, key=lambda p: values[p.class_name]):

@@ -187,9 +187,6 @@ def format_named(name: str) -> AnnotationFormat:
 def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationFormat, list[str]]:
     """The format of a source and the files to be read, in natural order.
 
-    Args:
-        fmt: a name of `FORMATS` that can be read, or ``auto`` to look into the files.
-
     Raises:
         UsageError: no annotation, annotations of several formats, or a format that is only written.
         InputError: two files for one frame, or a source that cannot be listed.
@@ -380,8 +377,6 @@ class SetReader:
         """Look what there is to read.
 
         Args:
-            names: which classes the labels of the files stand for.
-            fmt: a name of `FORMATS` that can be read, or ``auto`` to look into the files.
             pictures: names of the pictures around the files, as of `ReadContext`.
             called: the name that a frame of the files has in the dataset.
 
@@ -400,11 +395,8 @@ class SetReader:
         self._strays = list_annotations(source).notices if self.format.name == PLAIN else ()
 
     def frames(self, progress: Progress | None = None) -> Iterator[ExchangedFrame]:
-        """The frames as they come, each name once: the first one stays.
-
-        Args:
-            progress: called with frames done and frames in all.
-        """
+        """The frames as they come, each name once: the first one stays; progress is called with
+        frames done and frames in all."""
         assert self.format.read is not None  # `find_annotations` sees to that
         reading = self.reading
         seen: dict[str, str | None] = {}

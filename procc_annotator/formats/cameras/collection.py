@@ -73,7 +73,6 @@ class CameraCollection:
         """List the cameras of a source, which the collection closes when it is closed.
 
         Args:
-            source, fmt, field: see above.
             about_to_read: called for each file of many cameras before it is read.
 
         Raises:

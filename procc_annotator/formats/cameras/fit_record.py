@@ -73,11 +73,8 @@ class FitCounts:
         annotation: FrameAnnotation,
         measurement: Measurement | None = None,
     ) -> FitCounts:
-        """One camera by the digest of what it was fitted to, or without one by its residuals.
-
-        Args:
-            annotation: that it is judged by. measurement: of the annotation; None for no test.
-        """
+        """One camera by the digest of what it was fitted to, or without one by its residuals of the
+        annotation that it is judged by; without a measurement no test."""
         shown = None if measurement is None else measurement.projected.camera
         if measurement and shown and is_made_from(annotation, shown, measurement.setup.size):
             return cls(these=1)

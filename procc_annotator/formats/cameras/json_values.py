@@ -193,11 +193,7 @@ class JsonValues:
 
     def unused(self, *used: str) -> tuple[str, ...]:
         """Return a notice that names the keys that are not used although they look like a lens, a
-        pose or a picture size, and hold something but zeros.
-
-        Args:
-            used: keys that the format has; the spellings of the picture size are among them.
-        """
+        pose or a picture size, and hold something but zeros; the size's spellings are used."""
         known = {*used, *(key for pair in SIZE_KEYS for key in pair)}
         left = sorted(_camera_keys(self.content, known))
         named = ", ".join(printable(key, 40) for key in left)

@@ -168,9 +168,6 @@ def camera_of_matrices(
 ) -> LoadedCamera:
     """A camera from the parts a format has, in this project's world frame and metres.
 
-    Args:
-        size: (width, height) px of the picture; by default what the file says.
-
     Raises:
         CameraError: a part is missing, or is not what it should be.
     """
@@ -375,7 +372,6 @@ def camera_of_projection(
     Args:
         matrix: (3, 4), metres of this project's world -> px.
         size: (width, height) px where it is known.
-        error: makes the error of a problem.
 
     Returns:
         One of `MatrixCamera` where the matrix has a skew, which no lens model has.

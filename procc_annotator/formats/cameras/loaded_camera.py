@@ -65,11 +65,8 @@ class LoadedCamera:
     size_is_usual: bool = False
 
     def size_where(self, stated: tuple[int, int] | None) -> tuple[int, int] | None:
-        """(width, height) of the picture the pixels refer to; None where nothing says it.
-
-        Args:
-            stated: by the user; the file knows better, what is usual for its format does not.
-        """
+        """(width, height) of the picture the pixels refer to; None where nothing says it. A file
+        knows better than what the user states, what is usual for its format does not."""
         return (stated or self.size) if self.size_is_usual else (self.size or stated)
 
     def ground_from_px(self, points_px: FloatArray) -> FloatArray:

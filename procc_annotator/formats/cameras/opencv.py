@@ -59,10 +59,7 @@ def is_storage(content: object) -> bool:
 def storage_numbers(
     data: bytes, path: str, wanted: Callable[[set[str]], Iterable[str]]
 ) -> dict[str, Any]:
-    """The numbers of some keys of a FileStorage, matrices as lists of rows and vectors flat.
-
-    Args:
-        wanted: given the keys that are there, those to be read.
+    """The numbers of the wanted keys of a FileStorage, matrices as lists of rows, vectors flat.
 
     Raises:
         CameraError: damaged, or no FileStorage.
@@ -86,8 +83,6 @@ def storage_numbers(
 
 def write_opencv(camera: PinholeCamera | FisheyeCamera, size: tuple[int, int] | None) -> bytes:
     """A camera as YAML that ``cv::FileStorage`` reads, every number as it is.
-
-    Args: as `krt_content`.
 
     Raises:
         ValueError: as `krt_content`.

@@ -22,12 +22,8 @@ def discover(
     kind: type[F], group: str = GROUP, what: str = "camera plug-in"
 ) -> tuple[list[tuple[str, F]], list[str]]:
     """Return the named objects that the entry points of a group provide, and one line for each
-    entry point that cannot be used.
-
-    Args:
-        kind: of the objects; an entry point is one, a list of them, or a function returning either.
-        group: of entry points.
-        what: name of the kind of plug-in in messages.
+    entry point that cannot be used. An entry point is an object of the kind, a list of them, or a
+    function returning either.
     """
     import importlib.metadata  # takes long; the window needs no plug-ins to start
 

@@ -80,11 +80,8 @@ def is_whole(content: object) -> bool:
 def encode_whole(
     projections: ElementProjections, size: tuple[int, int], fitted_on: str | None
 ) -> bytes:
-    """A frame's file, of projections with samples in px of ``size``; numbers keep all digits.
-
-    Args:
-        fitted_on: digest of the annotation that the camera was fitted to, if that is known.
-    """
+    """A frame's file, of projections with samples in px of ``size``, and the digest of the
+    annotation that the camera was fitted to; numbers keep all digits."""
     assert projections.samples is not None
     return msgspec.json.encode(
         {

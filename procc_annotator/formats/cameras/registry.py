@@ -66,9 +66,6 @@ _BY_NAME = {row.name: row for row in ROWS}
 def read_json(data: bytes, *, path: str, name: str | None = None) -> LoadedCamera:
     """The one camera of a file that is read by its content.
 
-    Args:
-        name: of a row of the table; None goes by the content.
-
     Raises:
         CameraError: damaged, no camera, or several.
     """
@@ -333,9 +330,6 @@ def _plugins() -> tuple[tuple[CameraFormat, ...], tuple[str, ...]]:
 
 def read_camera_file(data: bytes, *, path: str, fmt: str = "auto") -> LoadedCamera:
     """Read a camera.
-
-    Args:
-        path: its name; ``auto`` goes by the suffix.
 
     Raises:
         CameraError: the file is damaged or of an unknown kind.

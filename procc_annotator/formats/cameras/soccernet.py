@@ -46,10 +46,7 @@ def camera_from(content: object, path: str, inside: str = "", nested: bool = Fal
 
     Absent distortion lists are zeros; lists of the wrong length are an error. ``image_width`` and
     ``image_height`` (or ``width``, ``height``), where present, give the picture size the pixels
-    belong to. Other keys are kept in ``extra``.
-
-    Args:
-        nested: whether values may stand in lists of one.
+    belong to. Other keys are kept in ``extra``. Nested: values may stand in lists of one.
 
     Raises:
         CameraError: names the place (``radial_distortion[2]``) and what was expected.

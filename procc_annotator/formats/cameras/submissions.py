@@ -70,10 +70,7 @@ _ignored = partial(SubmissionRemark, IGNORED)
 def check_submission(
     path: Path, frames: Collection[str] | None = None, split: str = "test"
 ) -> list[SubmissionRemark]:
-    """Look for everything that would go wrong.
-
-    Args:
-        split: the folder the evaluation looks into.
+    """Look for everything that would go wrong; the evaluation looks into the folder of the split.
 
     Raises:
         UsageError: nothing there, or no zip archive by its name.

@@ -189,7 +189,6 @@ def encode_camera(
 
     Args:
         loaded: as read; its pixels belong to ``loaded.size``.
-        to: one of `CAMERA_TARGETS`.
         size: (width, height) px the written camera shall be for; by default the camera's own.
             Formats that are for one size are written for that.
 

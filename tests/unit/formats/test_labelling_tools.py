@@ -111,6 +111,19 @@ def read(file: Path, content: Any, field: str = "soccer") -> tuple[str, ReadSet]
         return reader.format.name, reader.read_all()
 
 
+@pytest.mark.parametrize(
+    ("image", "frame"),
+    [
+        ("/data/local-files/?d=set1%2Fimg%2Fframe%207.jpg", "frame 7"),
+        ("s3://b/x/frame_7.jpg?X-Amz=1", "frame_7"),
+        ("50%25_7.jpg", "50%25_7"),
+    ],
+)
+def test_label_studio_names_pictures_by_address(image, frame, tmp_path):
+    _, found = read(tmp_path / "p.json", [task()[-1] | {"data": {"image": image}}])
+    assert list(found.frames) == [frame]
+
+
 @pytest.mark.parametrize("name", FILES)
 def test_lines_and_points_of_a_tool(name, tmp_path):
     file_name, content = FILES[name]
@@ -200,7 +213,7 @@ SKIPPED = {"result": [line()], "was_cancelled": True, "completed_by": 3}
         (task({"result": [line(bezier=50)]}), "78", "Bezier curves are taken for straight lines"),
         (task({"result": [line(image_rotation=90)]}), "8", "a picture rotated by 90 degrees"),
         (task(SKIPPED)[:1], "", "holds 1 picture, no annotation but skipped ones"),
-        (task()[:1], "", "holds 1 picture, no annotation (export it when it is annotated)"),
+        (task()[:1], "", "holds 1 picture, no annotation (export it when it is annotated"),
         (f"{json.dumps(TWO)}\n{ROW}", "78", "a picture are left out (by b@club) (1 frame: 7)"),
         (f"{ROW}\n{ROW[:99]}", "8", "x.ndjson: line 2: line 1 column "),
         (f"{ROW[9:]}\r\n\r\n{ROW}\r\n", "8", "x.ndjson: line 1: line 1 column "),
