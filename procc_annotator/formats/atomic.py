@@ -75,8 +75,6 @@ def write_atomic(
     removed by a later process that writes into the folder.
 
     Args:
-        path: the file; its folder must exist.
-        data: the whole new content.
         inside: a folder that links are not followed out of: a dataset from elsewhere may hold one
             that leads to any file of its user.
         look_again: called when the new content is on the disk, which may take its time, right

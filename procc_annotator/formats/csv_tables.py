@@ -93,7 +93,6 @@ def read_frame_table(
     """As `read_table`, of a table about frames: its column ``frame`` names each of them once.
 
     Args:
-        path, required, advice: as of `read_table`.
         in_sets: whether a column ``set``, if there is one, distinguishes frames of one name.
 
     Raises:

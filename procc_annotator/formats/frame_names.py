@@ -59,7 +59,6 @@ def frame_of_file(path: str, prefix: str = "") -> str:
 
     Args:
         path: below the dataset, with slashes: ``game/camera_00037.json``.
-        prefix: what the file's own name begins with next to the frame: ``camera_``.
     """
     folder, slash, name = path.rpartition("/")
     return folder + slash + PurePosixPath(name).stem.removeprefix(prefix)
@@ -70,8 +69,6 @@ def file_of_frame(frame: str, suffix: str, prefix: str = "") -> str:
 
     Args:
         frame: its name: ``00037``, or ``game/00037`` in a tree.
-        suffix: of the file: ``.json``.
-        prefix: what the file's own name begins with next to the frame: ``camera_``.
 
     Raises:
         UsageError: the name leads out of that folder.

@@ -68,7 +68,8 @@ UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
        " cv::FileStorage writes them", (), (b"distortion_model: ", b"cam_overlaps")),
     _U("pictures in HEIC, JPEG XL, OpenEXR or of a camera's sensor", "write them as PNG, for"
        " example with ImageMagick: magick IN.heic OUT.png", (".heic", ".heif", ".jxl", ".exr",
-       ".cr2", ".cr3", ".nef", ".arw", ".dng", ".raf", ".rw2", ".psd", ".dpx", ".svg")),
+       ".cr2", ".cr3", ".nef", ".arw", ".dng", ".raf", ".rw2", ".psd", ".dpx", ".svg", ".tga",
+       ".ico")),
     _U("an archive other than zip", "unpack it", (".gz", ".bz2", ".xz", ".7z", ".rar", ".tar",
        ".tgz")),
     _U("pickles, which may run any program", _NUMPY, (".pkl", ".pickle", ".p", ".pt",

@@ -15,6 +15,7 @@ import numpy as np
 from procc_annotator.errors import ImageError
 from procc_annotator.image.headers import (
     count_gif_frames,
+    count_tiff_pages,
     header_size,
     is_truncated_png,
     require_valid_size,
@@ -155,6 +156,9 @@ def _decode(path: Path, data: PixelArray, flags: int) -> PixelArray:
             path, f"is an animation of {frames} pictures, expected one",
             advice="make a video of it: ffmpeg -i FILE.gif -crf 12 FILE.mp4",
         )  # fmt: skip
+    if (pages := count_tiff_pages(data.data)) > 1:
+        advice = "write each to a file of its own"
+        raise ImageError(path, f"holds {pages} pictures, expected one", advice=advice)
     if is_truncated_png(data.data):
         raise ImageError(path, "the picture cannot be decoded: a part of the file is missing")
     try:

@@ -24,7 +24,7 @@ VIDEO_SUFFIXES = frozenset({
 _MAX_ASPECT_RATIO = 20  # times the shorter side: more than any panorama
 _TIFF_SIGNATURES = (b"II*\0", b"MM\0*")
 _NETPBM = re.compile(rb"P[2356]\s" + 2 * rb"(?:\s|#[^\n]*\n)*(\d+)")
-_GIF_FRAME = re.compile(rb"\x21\xf9\x04.{4}\0\x2c", re.DOTALL)
+_MOST_PAGES = 1000
 _PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 # Enough for every header but those with a large thumbnail in front.
 _HEADER_BYTES = 1 << 16
@@ -62,7 +62,7 @@ def header_size(data: bytes | memoryview) -> tuple[int, int] | None:
     if bytes(data[:4]) == b"RIFF" and bytes(data[8:12]) == b"WEBP" and len(data) >= 30:
         return _webp_size(data)
     if bytes(data[:4]) in _TIFF_SIGNATURES:
-        tags = _tiff_tags(data)
+        tags, _ = _tiff_tags(data)
         return (tags[256], tags[257]) if {256, 257} <= tags.keys() else None
     if bytes(data[:4]) == b"GIF8" and len(data) >= 10:
         return _little_endian(data[6:8]), _little_endian(data[8:10])
@@ -75,8 +75,35 @@ def header_size(data: bytes | memoryview) -> tuple[int, int] | None:
 
 def count_gif_frames(data: bytes | memoryview) -> int:
     """Return how many pictures a GIF shows one after another; 0 for any other file."""
-    is_gif = bytes(data[:4]) == b"GIF8"
-    return len(_GIF_FRAME.findall(data)) if is_gif else 0
+    if bytes(data[:4]) != b"GIF8" or len(data) < 13:
+        return 0
+    at, count = 13 + _color_table(data[10]), 0
+    while at < len(data) - 10 and data[at] in b"\x21\x2c":  # an extension, an image
+        is_image = data[at] == 0x2C
+        count += is_image
+        at += 11 + _color_table(data[at + 9]) if is_image else 2
+        while at < len(data) and data[at]:  # blocks with their lengths
+            at += 1 + data[at]
+        at += 1
+    return count
+
+
+def _color_table(flags: int) -> int:
+    return 6 << (flags & 7) if flags & 0x80 else 0
+
+
+def count_tiff_pages(data: bytes | memoryview) -> int:
+    """Return how many pictures a TIFF holds, without smaller ones and masks; 0 for other files."""
+    if bytes(data[:4]) not in _TIFF_SIGNATURES:
+        return 0
+    places, count = [0], 0
+    while len(places) < _MOST_PAGES:
+        tags, following = _tiff_tags(data, places[-1])
+        count += not tags.get(254, 0) & 5
+        if not following or following in places:
+            break
+        places.append(following)
+    return count
 
 
 def displayed_size(file: BinaryIO) -> tuple[int, int] | None:
@@ -108,7 +135,7 @@ def is_turned_jpeg(path: Path) -> bool:
     except OSError:  # told where it is decoded
         return False
     at = start.find(b"Exif\0\0", 0, 1 << 12) if start[:2] == b"\xff\xd8" else -1
-    return at > 0 and _tiff_tags(start[at + 6 :]).get(274, 1) > 1
+    return at > 0 and _tiff_tags(start[at + 6 :])[0].get(274, 1) > 1
 
 
 def _may_have_exif(file: BinaryIO, place: int, chunk: Callable[[bytes], tuple[bytes, int]]) -> bool:
@@ -198,19 +225,20 @@ def _webp_size(data: bytes | memoryview) -> tuple[int, int] | None:
     return None
 
 
-def _tiff_tags(data: bytes | memoryview) -> dict[int, int]:
-    """The directory of the first picture, which may stand at the end."""
+def _tiff_tags(data: bytes | memoryview, place: int = 0) -> tuple[dict[int, int], int]:
+    """A picture's directory, which may stand at the end, and the place of the next one; 0: none."""
     order: Literal["little", "big"] = "little" if bytes(data[:2]) == b"II" else "big"
 
     def number(place: int, count: int) -> int:
         return int.from_bytes(data[place : place + count], order)
 
-    place = number(4, 4)
+    place = place or number(4, 4)
     found = dict[int, int]()
     for entry in range(place + 2, min(place + 2 + 12 * number(place, 2), len(data) - 11), 12):
         tag, kind = number(entry, 2), number(entry + 2, 2)
         found[tag] = number(entry + 8, 2 if kind == 3 else 4)
-    return found
+    end = place + 2 + 12 * number(place, 2)
+    return found, number(end, 4) if end + 4 <= len(data) else 0
 
 
 def _box_size(data: bytes) -> tuple[int, int] | None:

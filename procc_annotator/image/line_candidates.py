@@ -306,7 +306,6 @@ def trace_line(
         angle: of the band, radians.
         offset_px: of its middle from the patch's position, across.
         width_px: of the band; 0 of an edge.
-        sought: whether its colour fits, and whether its grounds may change.
 
     Returns:
         How far it goes on from its middle, then from ahead and from back of it: at an end another

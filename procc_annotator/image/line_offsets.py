@@ -51,8 +51,6 @@ def offsets_along_curve(
         course_px: (n, 2) px, a place about every pixel.
         across: (n, 2) its unit normals.
         rows: (N,) places that are measured.
-        sought: what the paint looks like.
-        reach_px: how far the paint's middle may be.
         bars_alone: whether places on bars are examined one by one: it is surer and takes long.
 
     Returns:

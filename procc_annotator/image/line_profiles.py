@@ -62,7 +62,6 @@ class LineTarget:
         """Return what an element looks like in a picture.
 
         Args:
-            looks: the element's.
             picture_px: the picture's width.
             px_per_metre: across the element; None if unknown.
         """
@@ -312,7 +311,6 @@ def matches_colour_step(steps: Values, sought: LineTarget) -> NDArray[np.bool_]:
 
     Args:
         steps: (n, 4) BGRA, paint minus ground, of any length; alpha is left out.
-        sought: its tone and colour decide.
 
     Returns:
         (n,).
@@ -378,7 +376,6 @@ def straighten_curve(
         picture: (H, W, 4) BGRA.
         course_px: (n, 2) places along the curve, picture px.
         across: (n, 2) unit vectors across it.
-        reach_px: how far to go to both sides.
 
     Returns:
         Bilinearly interpolated and rounded; beyond the picture its last row or column is repeated.

@@ -72,7 +72,6 @@ def snap_to_line(
         picture: (H, W, 4) BGRA.
         point: picture px, pixel centres are whole numbers.
         direction: of the line there, in px; None to find it in the picture.
-        reach_px: how far the paint's middle may be.
 
     Returns:
         Picture px, or None without convincing paint within reach.
@@ -192,7 +191,6 @@ def snap_points_to_lines(
         picture: (H, W, 4) BGRA.
         points: (N, 2) picture px.
         directions: (N, 2) of the lines there, or None.
-        reach_px: how far the paint's middle may be.
 
     Returns:
         (N, 2) picture px; NaN where there is no convincing paint.

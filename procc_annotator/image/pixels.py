@@ -198,7 +198,6 @@ def adjust_image(pixels: PixelArray, look: DisplayAdjustment) -> PixelArray:
 
     Args:
         pixels: (H, W, 4) BGRA, opaque; it is not changed.
-        look: what to do; first lines are brought out, then values are changed.
 
     Returns:
         The same array when the look is plain, else a new one of the same shape, opaque and

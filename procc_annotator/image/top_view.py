@@ -70,8 +70,6 @@ def picture_on_ground(
     Args:
         pixels: (H, W, 4) BGRA.
         camera: in px of ``size``.
-        size: (width, height) px.
-        raster: where on the ground.
 
     Returns:
         (h, w, 3) BGR, black where the picture does not show the ground, and (h, w) where it does.

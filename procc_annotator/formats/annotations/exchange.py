@@ -443,7 +443,6 @@ def readers_by_image(
 
     Args:
         found: id of an image -> places and content of its annotations.
-        read: takes an image, its place, its annotations, path and reading.
     """
     readers: list[FrameReader] = []
     for i, image in enumerate(images):

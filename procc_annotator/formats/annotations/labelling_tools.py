@@ -49,6 +49,7 @@ _PLACE = re.compile(r"\(\s*(-?\d+(?:\.\d+)?)\s*,\s*(-?\d+(?:\.\d+)?)\s*\)", re.A
 # How Label Studio names files: by address, uploads with a number in front.
 _ADDRESS, _UPLOADED = re.compile(r"/data/|\w+://"), re.compile(r".*/upload/.*?/?[0-9a-f]{8}-(?=.)")
 _MOST_SNIFFED = 20
+_TASK = ("annotations", "data")  # of Label Studio, alone in a file
 _SKIPPED = ("was_cancelled", "performance_details.skipped")
 _AUTHORS = ("completed_by.email", "completed_by", "label_details.created_by")
 _BLANK = b"\xef\xbb\xbf \t\r\n"
@@ -333,7 +334,8 @@ def decode_lines(data: bytes, path: str, note: Callable[[InputError], None]) -> 
                 note(error)
         return found
     content = decode_strict(data, path=path, error=AnnotationError, parse_float=parse_number)
-    return [content] if type(content) is dict and "data_row" in content else content
+    is_one = type(content) is dict and ("data_row" in content or content.keys() >= {*_TASK})
+    return [content] if is_one else content
 
 
 def is_via_table(data: bytes) -> bool:
@@ -365,7 +367,7 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         "label-studio", "Label Studio JSON", "project-1.json",
-        (("*.annotations", "*.data"), ("*.*.*.original_width",)), ("*",),
+        (("*.annotations", "*.data"), _TASK, ("*.*.*.original_width",)), ("*",),
         ("data.image", "data.img", "image", "img", "data.*"),
         ("result.*", "*.*"),
         ("value.keypointlabels.0", "value.vectorlabels.0", "value.polygonlabels.0",

@@ -48,7 +48,6 @@ def distortion_of_inverse(
 
     Args:
         up, down: (3,) n1, n2, n3 and d1, d2, d3, for radii in focal lengths.
-        radius: of the picture's farthest corner, in focal lengths.
 
     Returns:
         (3,) k1, k2, k3; (N,) deviations within the radius, in focal lengths.

@@ -219,7 +219,6 @@ def write_cameras(
         cameras: frame names with cameras, or with what is wrong with them.
         out: made if it is not there; files of the same names are replaced.
         to, size: as for `encode_camera`.
-        split: the folder inside a submission.
         total: how many there will be, for ``progress``, which is called with (done, total).
 
     Raises:

@@ -207,6 +207,7 @@ SKIPPED = {"result": [line()], "was_cancelled": True, "completed_by": 3}
 @pytest.mark.parametrize(
     ("content", "frames", "said"),
     [
+        (task()[-1], "8", ""),
         (task(SKIPPED), "8", "annotations that were skipped are left out (by 3) (1 frame: 7)"),
         (task({"result": [line()]}, {"result": [line()], "completed_by": {"email": "b@club"}}),
          "78", "further annotations of a picture are left out (by b@club) (1 frame: 7)"),

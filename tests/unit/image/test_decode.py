@@ -316,6 +316,18 @@ def test_an_animation_is_no_picture(tmp_path):
         decode_bgra(path)
 
 
+def test_a_file_of_several_pictures_is_no_picture(tmp_path):
+    path = tmp_path / "pages.tiff"
+    assert cv2.imwritemulti(str(path), [_plain(40, 30)] * 3)
+    with pytest.raises(ImageError, match="holds 3 pictures, expected one"):
+        decode_bgra(path)
+    gif = _encode(".gif", _plain(40, 30))
+    start = gif.index(b"\x2c\0\0\0\0")  # the image, without what controls it in an animation
+    path.with_suffix(".gif").write_bytes(gif[:-1] + gif[start:])
+    with pytest.raises(ImageError, match="animation of 2 pictures"):
+        decode_bgra(path.with_suffix(".gif"))
+
+
 def test_a_thumbnail_of_a_picture_one_pixel_wide(tmp_path):
     path = tmp_path / "thin.png"
     path.write_bytes(_encode(".png", _plain(1, 3000)))
