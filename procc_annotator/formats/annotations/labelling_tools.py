@@ -124,7 +124,8 @@ class Tool:
     def _shapes(self, one: Any, place: str) -> tuple[list[tuple[str, Any]], list[str]]:
         """Return (place, shape) of those that count, and remarks on what is left out."""
         lists = _all(one, self.annotations) if self.annotations else []
-        shapes, remarks = [] if lists else self._shapes_of(one, place), list[str]()
+        is_task = type(one) is dict and _TASK[1] in one  # of predictions alone
+        shapes, remarks = [] if lists or is_task else self._shapes_of(one, place), list[str]()
         where = f"{place}.{self.annotations.replace('.*', '[]')}"
         for several in lists:
             taken = False
@@ -367,7 +368,8 @@ TOOLS: tuple[Tool, ...] = (
     ),
     Tool(
         "label-studio", "Label Studio JSON", "project-1.json",
-        (("*.annotations", "*.data"), _TASK, ("*.*.*.original_width",)), ("*",),
+        (("*.annotations", "*.data"), ("*.predictions", "*.data"), _TASK,
+         ("*.*.*.original_width",)), ("*",),
         ("data.image", "data.img", "image", "img", "data.*"),
         ("result.*", "*.*"),
         ("value.keypointlabels.0", "value.vectorlabels.0", "value.polygonlabels.0",

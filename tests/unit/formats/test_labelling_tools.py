@@ -208,6 +208,8 @@ SKIPPED = {"result": [line()], "was_cancelled": True, "completed_by": 3}
     ("content", "frames", "said"),
     [
         (task()[-1], "8", ""),
+        ([{"data": {"image": "7.jpg"}, "predictions": [{"result": [line()]}]}], "",
+         "no annotation (export it when it is annotated; drafts and predictions are not read)"),
         (task(SKIPPED), "8", "annotations that were skipped are left out (by 3) (1 frame: 7)"),
         (task({"result": [line()]}, {"result": [line()], "completed_by": {"email": "b@club"}}),
          "78", "further annotations of a picture are left out (by b@club) (1 frame: 7)"),
