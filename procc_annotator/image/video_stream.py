@@ -345,14 +345,9 @@ def _frame_numbers(
     times: FloatArray, places: _Indices, unread: _Flags, lost: _Flags, *, certain: bool
 ) -> _Indices:
     """(n,) numbers of frames by their ascending times (n,), those left open that are missing where
-    packets could not be read; adds to ``lost`` what may depend on these, or may be another frame.
-
-    Args:
-        times: in the stream's unit.
-        places: (n,) the packet of each frame.
-        unread: (packets + 1,) whether packets before each, or at the end, could not be read.
-        lost: (packets + 1,) see `PacketIndex`.
-        certain: whether the times can be relied on after such a gap.
+    packets could not be read; adds to ``lost`` (packets + 1,) what may depend on these, or may be
+    another frame. Places (n,) are the packets of the frames; unread (packets + 1,) says whether
+    packets before each could not be read; certain, that times can be relied on after such a gap.
     """
     missing, regular = _missing_frames_before(times, places, unread)
     if missing.any() or not certain:

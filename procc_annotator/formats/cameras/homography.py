@@ -266,11 +266,8 @@ def _of_matrix(
 
 
 def _of_projection(matrix: FloatArray, path: str, inside: str = "") -> LoadedCamera:
-    """The camera of (3, 4), or of (4, 4) with a last row that counts for nothing.
-
-    Raises:
-        CameraError: no camera, or a pose alone.
-    """
+    """The camera of (3, 4), or of (4, 4) with a last row that counts for nothing; CameraError for
+    no camera, or a pose alone."""
     left = matrix[:3, :3]
     if np.allclose(left @ left.T, np.eye(3), atol=_ROTATION_TOLERANCE):
         raise CameraError(

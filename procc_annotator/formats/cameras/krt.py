@@ -233,11 +233,8 @@ def _agreeing(
     read: Callable[[str], FloatArray],
     same: float = _SAME_LENS,
 ) -> tuple[str, FloatArray]:
-    """Return the first spelling that is there and what it holds.
-
-    Raises:
-        CameraError: none is there, or two say something else.
-    """
+    """Return the first spelling that is there and what it holds; CameraError if none is there, or
+    two say something else."""
     first, *others = [key for key in keys if key in values] or [values.need(expected, *keys)]
     found = read(first)
     for other in others:
