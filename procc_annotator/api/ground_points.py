@@ -31,7 +31,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import FIT_KEY, UNCERTAINTY
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.frame_names import frame_finder
-from procc_annotator.formats.point_tables import PointTable, Row, read_rows
+from procc_annotator.formats.point_tables import PointTable, Row, move_boxes, read_rows
 from procc_annotator.messages import list_names
 from procc_annotator.metrics.ground_plane import (
     NearestHomography,
@@ -49,7 +49,6 @@ AXES = ("field", "up", "corner", "metrica")
 _DIGITS, _DIGITS_OF_SHARES = 4, 7  # of metres and px: 0.1 mm
 _UNSEEN = "out of sight of the camera, or outside its lens model"
 _NO_GROUND = "projections of the elements alone, which have no ground"
-_SIZES = (("w", "h"), ("width", "height"))  # of boxes whose corner is x, y
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,7 +147,8 @@ def to_pixels(
         size: as of `to_ground`; of the pixels.
 
     Returns:
-        The rows with ``x``, ``y`` (px), which may lie outside the picture.
+        The rows with ``x``, ``y`` (px), which may lie outside the picture; boxes of any columns are
+        moved there. ``x``, ``y`` is the corner where ``w``, ``h`` make it a box.
 
     Raises:
         UsageError, InputError: as of `to_ground`.
@@ -167,15 +167,9 @@ def to_pixels(
         world = np.column_stack((np.nan_to_num(on_ground), np.zeros(len(on_ground))))
         found, shown = view.camera.project(world)
         px[view.rows] = np.where((shown & np.isfinite(on_ground[:, 0]))[:, None], found, np.nan)
-    for width, height in _SIZES:
-        if table.rows and {"x", "y", width, height} <= table.rows[0].keys():
-            boxes = PointTable.of(table.rows, "points")  # its foot is where the place is
-            px += [[_number(r["x"]), _number(r["y"])] for r in table.rows] - boxes.places
-    return _placed(table, dict(zip("xy", px.T, strict=True)), views, _DIGITS)
-
-
-def _number(cell: Any) -> float:
-    return float("nan") if cell in (None, "") else float(cell)
+    placed = _placed(table, dict(zip("xy", px.T, strict=True)), views, _DIGITS)
+    move_boxes(placed.rows, _DIGITS)
+    return placed
 
 
 def homography_of(

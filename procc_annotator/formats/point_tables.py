@@ -28,12 +28,13 @@ _MOT = ("frame", "id", "left", "top", "width", "height", "conf", "col8", "col9",
 _POINT = np.eye(2)
 _SIZED = np.array([(1, 0, 0.5, 0), (0, 1, 0, 1)])
 _CORNERS = np.array([(0.5, 0, 0.5, 0), (0, 0, 0, 1)])
-_PIXELS: tuple[tuple[str, FloatArray], ...] = (
-    ("bbox", _SIZED), ("bbox_xyxy", _CORNERS), ("x y w h", _SIZED), ("x y width height", _SIZED),
-    ("left top width height", _SIZED), ("bb_left bb_top bb_width bb_height", _SIZED),
-    ("x1 y1 x2 y2", _CORNERS), ("xmin ymin xmax ymax", _CORNERS),
-    ("left top right bottom", _CORNERS), ("x y", _POINT), ("x_px y_px", _POINT), ("u v", _POINT),
+_BOXES: tuple[tuple[str, FloatArray], ...] = (
+    ("bbox", _SIZED), ("bbox_xyxy", _CORNERS), ("left top width height", _SIZED),
+    ("bb_left bb_top bb_width bb_height", _SIZED), ("x1 y1 x2 y2", _CORNERS),
+    ("xmin ymin xmax ymax", _CORNERS), ("left top right bottom", _CORNERS),
+    ("x y w h", _SIZED), ("x y width height", _SIZED),
 )  # fmt: skip
+_PIXELS = (*_BOXES, ("x y", _POINT), ("x_px y_px", _POINT), ("u v", _POINT))
 _METRES = (("X Y", _POINT), ("x_m y_m", _POINT), ("x y", _POINT))
 _EXPECTED = "expected frame and {} (docs/pixels-to-metres.md)"
 # Decimals as most of Europe writes them; with three digits they may be thousands.
@@ -67,21 +68,45 @@ class PointTable:
             where = "X, Y" if metres else "x, y or a box (x, y, w, h; x1, y1, x2, y2; bbox)"
             raise InputError(path, has, advice=_EXPECTED.format(where))
         columns, matrix = found
-        values = np.full((len(rows), matrix.shape[1]), np.nan)
-        for n, row in enumerate(rows):
-            given = [row.get(name) for name in columns]
-            try:
-                if len(columns) == 1:  # a list, or its text in a cell
-                    box = json.loads(given[0]) if isinstance(given[0], str) else given[0]
-                    given = box or [None] * 4
-                values[n] = [np.nan if v in (None, "") else float(v) for v in given]
-            except (TypeError, ValueError):
-                problem = f"expected numbers under {', '.join(columns)}, found {json_repr(given)}"
-                advice = "decimals have a point, lists are [x, y, w, h]"
-                raise InputError(path, problem, place=f"row {n + 1}", advice=advice) from None
-        frames = tuple(_frame_name(row.get(frame)) for row in rows)
-        values[~np.isfinite(values)] = np.nan
-        return cls(rows, frames, values @ matrix.T, tuple(columns))
+        places = _numbers(rows, columns, matrix, path) @ matrix.T
+        return cls(rows, tuple(_frame_name(r.get(frame)) for r in rows), places, tuple(columns))
+
+
+def _numbers(
+    rows: Sequence[Row], columns: Sequence[str], matrix: FloatArray, path: str | Path
+) -> FloatArray:
+    """(N, n) numbers of columns, NaN for empty cells; InputError: see `PointTable.of`."""
+    values = np.full((len(rows), matrix.shape[1]), np.nan)
+    for n, row in enumerate(rows):
+        given = [row.get(name) for name in columns]
+        try:
+            if len(columns) == 1:  # a list, or its text in a cell
+                box = json.loads(given[0]) if isinstance(given[0], str) else given[0]
+                given = box or [None] * 4
+            values[n] = [np.nan if v in (None, "") else float(v) for v in given]
+        except (TypeError, ValueError):
+            problem = f"expected numbers under {', '.join(columns)}, found {json_repr(given)}"
+            advice = "decimals have a point, lists are [x, y, w, h]"
+            raise InputError(path, problem, place=f"row {n + 1}", advice=advice) from None
+    values[~np.isfinite(values)] = np.nan
+    return values
+
+
+def move_boxes(rows: Sequence[Row], digits: int) -> None:
+    """Move the boxes of rows so that `PointTable.of` finds the points ``x``, ``y`` again; empty
+    cells for rows without a point. Boxes ``x, y, w, h`` move if there are no others."""
+    names, moved = {name for row in rows for name in row}, set[str]()
+    points = _numbers(rows, ("x", "y"), _POINT, "points")
+    for columns, matrix in ((spelling.split(), matrix) for spelling, matrix in _BOXES):
+        if not names >= set(columns) or moved & set(columns):
+            continue
+        moved |= {*columns, "x", "y"}
+        values = _numbers(rows, columns, matrix, "points")
+        steps = points - values @ matrix.T
+        values += np.hstack((steps, steps if matrix is _CORNERS else np.zeros_like(steps)))
+        for row, box in zip(rows, values.round(digits).tolist(), strict=True):
+            cells = [value if value == value else None for value in box]
+            row.update(zip(columns, [cells] if len(columns) == 1 else cells, strict=True))
 
 
 def _frame_name(value: object) -> str:

@@ -67,6 +67,32 @@ def test_points_boxes_and_mot_files_are_placed_by_the_camera_of_their_number(
     assert again["X"] == pytest.approx(float(row["X"]), abs=1e-4)
 
 
+@pytest.mark.parametrize(
+    "spelling",
+    ["bbox", "bbox_xyxy", "x,y,w,h", "x,y,width,height", "left,top,width,height",
+     "bb_left,bb_top,bb_width,bb_height", "x1,y1,x2,y2", "xmin,ymin,xmax,ymax",
+     "left,top,right,bottom", "bbox x1,y1,x2,y2 left,top,width,height", "x,y x_px,y_px"],
+)  # fmt: skip
+@pytest.mark.parametrize("suffix", ["csv", "json"])
+def test_positions_that_were_edited_come_back_from_boxes_of_any_columns(
+    cli, cameras, tmp_path, spelling, suffix
+):
+    rows = [{"frame": 3, "X": 1.5, "Y": -2.0}, {"frame": 3, "X": 0.0, "Y": 900.0}]
+    for names in (part.split(",") for part in spelling.split()):
+        corners = names[-1] in ("bbox_xyxy", "y2", "ymax", "bottom")
+        old = [40, 21, 44, 30] if corners else [40, 21, 4, 9]
+        box = {names[0]: old} if len(names) == 1 else dict(zip(names, old, strict=False))
+        rows = [row | box for row in rows]
+    pixels = tmp_path / f"pixels.{suffix}"
+    (tmp_path / "rows.json").write_text(json.dumps(rows))
+    cli("ground", tmp_path / "rows.json", "--cameras", cameras, "--to-pixels", "-o", pixels)
+    seen, unseen = to_ground(pixels, cameras).rows
+    assert (seen["X"], seen["Y"]) == pytest.approx((1.5, -2.0), abs=1e-3)
+    assert unseen["X"] is None
+    if "h" in rows[0]:
+        assert (float(seen["w"]), float(seen["h"])) == (4, 9)
+
+
 def test_points_of_another_size_than_cameras_that_state_none_are_refused(cli, cameras, tmp_path):
     points, size = tmp_path / "a.csv", ("--size", "1920x1080")
     points.write_text("frame,x,y\n3,840,600\n")
