@@ -39,7 +39,8 @@ from procc_annotator.calibration.optimization.covariance import (
 from procc_annotator.calibration.optimization.observations import ImageFrame, used_point_indices
 from procc_annotator.calibration.optimization.residuals import homographies_from_corrections
 from procc_annotator.calibration.optimization.robust_fit import OUTLIER_PX, CameraSolution
-from procc_annotator.camera.backprojection import ground_covariance
+from procc_annotator.camera.backprojection import ground_covariance, ground_from_px
+from procc_annotator.camera.base import ElementProjections
 from procc_annotator.camera.models import FisheyeCamera, HomographyCamera, PinholeCamera
 from procc_annotator.field.model import Field
 from procc_annotator.translation import translatable, translatable_joined, word
@@ -213,9 +214,7 @@ class FitResult:
     def ground_from_px(self, points_px: FloatArray) -> FloatArray:
         """(N, 2) px of ``size`` -> (N, 2) metres on the ground; NaN for pixels that do not show it,
         and for all of them without a camera."""
-        if self.camera is None:
-            return np.full((len(points_px), 2), np.nan)
-        return self.camera.ground_from_px(points_px)
+        return ground_from_px(self.camera or ElementProjections({}), points_px)
 
     def ground_covariance(self, ground: FloatArray, *, pixel_sd: float = 0.0) -> FloatArray:
         """Covariance of the ground points that pixels mean.

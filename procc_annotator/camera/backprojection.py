@@ -19,6 +19,7 @@ from procc_annotator.camera.models import (
     FisheyeCamera,
     HomographyCamera,
     PinholeCamera,
+    as_pixels,
 )
 
 _NEWTON_ITERATIONS = 40
@@ -188,8 +189,11 @@ def ground_from_px(camera: CameraOrProjections, points_px: FloatArray) -> FloatA
 
     Exact to 1e-6 m inside the picture: rays for pinhole and fisheye cameras, the matrix for
     homographies, a model's own ``ground_from_px`` where it has one, and a search for all others.
+
+    Raises:
+        UsageError: the pixels are not (N, 2) numbers.
     """
-    points_px = np.asarray(points_px, dtype=np.float64)
+    points_px = as_pixels(points_px)
     if isinstance(camera, ElementProjections):
         return np.full((len(points_px), 2), np.nan)
     if isinstance(camera, ScaledCamera):

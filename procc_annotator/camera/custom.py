@@ -24,6 +24,7 @@ from procc_annotator.camera.models import (
     HomographyCamera,
     MatrixCamera,
     PinholeCamera,
+    as_pixels,
 )
 from procc_annotator.errors import UsageError
 
@@ -60,8 +61,8 @@ class ValidatedCamera:
         """(N, 2) px -> (N, 2) metres on the ground within 300 m of the field's centre, by the
         camera's own way back or by a numerical search; NaN for pixels that do not show it."""
         if callable(own := getattr(self.camera, "ground_from_px", None)):
-            return np.asarray(own(points_px), np.float64)
-        return ground_by_search(self, np.asarray(points_px, np.float64))
+            return np.asarray(own(as_pixels(points_px)), np.float64)
+        return ground_by_search(self, as_pixels(points_px))
 
     def scaled(self, from_size: Size, to_size: Size) -> CameraOrProjections:
         """The same camera for another picture size."""

@@ -14,10 +14,24 @@ from numpy.typing import NDArray
 
 from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.camera.undistortion import fisheye_rays, pinhole_rays
+from procc_annotator.errors import UsageError
 
 NEAREST_DEPTH_M = 1e-3
 # Far outside the picture the rational model may blow up; such pixels are merely outside.
 _IGNORE_OVERFLOW: dict[str, Any] = {"over": "ignore", "divide": "ignore", "invalid": "ignore"}
+
+
+def as_pixels(points_px: Any) -> FloatArray:
+    """(N, 2) float64 px; a UsageError for anything else. An empty list is (0, 2)."""
+    try:
+        found = np.asarray(points_px, np.float64)
+    except (TypeError, ValueError):
+        found = np.empty(1)
+    found = found.reshape(0, 2) if found.shape == (0,) else found
+    if found.ndim != 2 or found.shape[1] != 2:
+        text = " ".join(repr(points_px).split())[:60]
+        raise UsageError(f"expected pixels as (N, 2) numbers, [[x, y], ...], found {text}")
+    return found
 
 
 def size_factors(from_size: tuple[int, int], to_size: tuple[int, int]) -> tuple[float, float]:
@@ -52,7 +66,8 @@ class _PosedCamera(ABC):
     def ground_from_px(self, points_px: FloatArray) -> FloatArray:
         """(N, 2) px -> (N, 2) metres on the ground, z = 0; NaN at and beyond the horizon, behind
         the camera and outside the lens model's domain."""
-        rays = self.rays_cam(np.asarray(points_px, np.float64))
+        points_px = as_pixels(points_px)
+        rays = self.rays_cam(points_px)
         position = self.position_world
         with np.errstate(all="ignore"):
             along_x, along_y, down = self.rotation_cam_from_world.T @ rays
@@ -339,7 +354,7 @@ class HomographyCamera:
     def ground_from_px(self, points_px: FloatArray) -> FloatArray:
         """(N, 2) px -> (N, 2) metres on the ground; NaN at and beyond the horizon."""
         world_from_image = np.linalg.inv(self.image_from_world)
-        ground = points_px @ world_from_image[:, :2].T + world_from_image[:, 2]
+        ground = as_pixels(points_px) @ world_from_image[:, :2].T + world_from_image[:, 2]
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(ground[:, 2:] > 0, ground[:, :2] / ground[:, 2:], np.nan)
 
