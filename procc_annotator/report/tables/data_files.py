@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 import textwrap
+import unicodedata
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from itertools import groupby
@@ -177,6 +178,12 @@ _SPECIAL = {
     "‡": r"\textdaggerdbl{}",
     "§": r"\S{}",
 }
+_MATH = """alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma
+tau upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega leq geq"""
+_SIGNS = "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩ≤≥"
+_SPECIAL |= zip(_SIGNS, (rf"$\{name}$" for name in _MATH.split()), strict=True)
+# pdfLaTeX sets these without further packages (measured).
+_SET = re.compile(r"[ -~\xa0-\u017f‐-―‘’“”•…‰€™←-↓](?<![«»ÐÞðþĄąĐđĘęĦħĮįĸĿŀŉŊŋŦŧŲųſ])")
 _BETTER = {"higher": "(↑)", "lower": "(↓)"}
 _ARROWS = {"higher": r"($\uparrow$)", "lower": r"($\downarrow$)"}
 _HEADING = 5  # characters
@@ -184,17 +191,23 @@ _HEADING_LINES = 4
 
 
 def escape_latex(text: str) -> str:
-    """Text that LaTeX shows as it is; line breaks and control characters become spaces."""
-    plain = re.sub(r"[\x00-\x1f\x7f]+", " ", text)
+    """Text that LaTeX shows as it is; line breaks and control characters become spaces. Letters
+    that pdfLaTeX lacks lose their accents, other such characters become U+XXXX."""
+    plain = unicodedata.normalize("NFC", re.sub(r"[\x00-\x1f\x7f]+", " ", text))
     plain = plain.replace("--", "-\ufeff-")  # two hyphens of an option are no dash
     # < and > come out as other characters in LaTeX's old encoding, which has no straight quotes.
-    return "".join(_SPECIAL.get(character, character) for character in plain)
+    return "".join(_SPECIAL.get(c) or (c if _SET.match(c) else _replacement(c)) for c in plain)
+
+
+def _replacement(character: str) -> str:
+    letters = unicodedata.normalize("NFKD", character).encode("ascii", "ignore").decode()
+    return letters if letters.isalnum() else f"U+{ord(character):04X}"
 
 
 def latex_tables(sheets: Iterable[MetricTable], remarks: Iterable[str] = ()) -> str:
     """Several tables as one file; remarks go into comments at its head. A table without rows only
     adds its notes to the one before it."""
-    remarks = (*remarks, r"needs \usepackage{booktabs, adjustbox}")
+    remarks = (*remarks, r"needs \usepackage{booktabs, adjustbox}; U+XXXX: no glyph")
     head = ["% " + " ".join(remark.split()) for remark in remarks]
     shown: list[MetricTable] = []
     for sheet in sheets:

@@ -20,6 +20,7 @@ def test_every_special_character_is_escaped():
     )
     assert escape_latex("a\nb\x00c") == "a b c"
     assert escape_latex("–") == "--"
+    assert escape_latex("α≤ é e\u0301 ą ﬁ 日") == r"$\alpha$$\leq$ é é a fi U+65E5"
     assert escape_latex("calibrate --leave-one-out") == "calibrate -{}-leave-one-out"
 
 
@@ -73,7 +74,10 @@ def test_latex_sets_every_table_within_the_text(tmp_path, width_pt, shrunk):
         "s",
         'a\\b_&%$#{}~^<>|"–²°',
         (Column("x", "<|x|>"), metric_column(Metric("y", "y"))),
-        (('100 % \\input{x} ~^ "quoted" a|b {–} 3² 4°', 1.0),),
+        (
+            ('100 % \\input{x} ~^ "quoted" a|b {–} 3² 4°', 1.0),
+            ("αΩ≤ 日本 Ж é ő Ą ﬁ ß € … 😀 «ʼ» ư\xa0Đ", 1.0),
+        ),
     )
     tables = latex_tables([*(_wide(columns) for columns in (2, 5, 9)), strange])
     # All but the last are wider than a column: each tabular has as many figures as fit.
