@@ -9,11 +9,12 @@ import hashlib
 import io
 import json
 import math
-import operator
 import re
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass
 from functools import cache
+from statistics import fmean
 from typing import Any
 
 import numpy as np
@@ -41,6 +42,7 @@ UNCERTAINTY = "uncertainty"  # among that: vector and covariance of its paramete
 DIGEST = "annotation_sha256"  # among that, and the column of the table
 TABLE_FILE = "calibration.csv"  # beside cameras of any format
 _NEAR = 0.02  # of the picture's width: elements of the right labels are nearer
+_MOST_TESTED = 4096  # frames; more find nothing else
 _MARK = re.compile(rb"annotation_sha256\W{1,8}([0-9a-f]{64})")
 
 
@@ -58,13 +60,14 @@ class FitCounts:
 
     Attributes:
         these, another: cameras with a mark. tested: cameras without, whose residuals were tested.
-        evidence: of these cameras together, see `independence_evidence`.
+        evidence: of the first of these, `independence_evidence` behind what is equal for clicks
+            that were copied from frame to frame, which have one error in common.
     """
 
     these: int = 0
     another: int = 0
     tested: int = 0
-    evidence: float = 0.0
+    evidence: tuple[tuple[tuple[int, ...], float], ...] = ()
 
     @classmethod
     def of(
@@ -82,21 +85,29 @@ class FitCounts:
             same = digest == annotation_digest(annotation)
             return cls(int(same), int(not same))
         evidence = None if measurement is None else _evidence(measurement)
-        return NOT_FITTED if evidence is None else cls(tested=1, evidence=evidence)
+        return NOT_FITTED if evidence is None else cls(tested=1, evidence=(evidence,))
 
     def __bool__(self) -> bool:
         return self.count > 0
 
     def __add__(self, other: FitCounts) -> FitCounts:
-        return FitCounts(*map(operator.add, astuple(self), astuple(other)))
+        tested, evidence = self.tested + other.tested, self.evidence + other.evidence
+        counts = self.these + other.these, self.another + other.another, tested
+        return FitCounts(*counts, evidence[:_MOST_TESTED])
 
     def __sub__(self, other: FitCounts) -> FitCounts:
-        return FitCounts(*map(operator.sub, astuple(self), astuple(other)))
+        evidence = (Counter(self.evidence) - Counter(other.evidence)).elements()
+        counts = self.these - other.these, self.another - other.another, self.tested - other.tested
+        return FitCounts(*counts, tuple(evidence))
 
     @property
     def too_close(self) -> int:
         """Cameras without a mark that together are no predictions of these clicks."""
-        return self.tested if are_dependent(self.tested, self.evidence) else 0
+        of_clicks: dict[tuple[int, ...], list[float]] = {}
+        for clicks, evidence in self.evidence:
+            of_clicks.setdefault(clicks, []).append(evidence)
+        together = sum(map(fmean, of_clicks.values()))
+        return self.tested if are_dependent(len(of_clicks), together) else 0
 
     @property
     def marked(self) -> int:
@@ -123,7 +134,7 @@ class FitCounts:
     @property
     def of_frame(self) -> tuple[bool, bool, float | None]:
         """Of one camera, for the columns `FRAME_KEYS`: the marks, and p of the test."""
-        p = math.exp(-self.evidence) if self.tested else None
+        p = math.exp(-self.evidence[0][1]) if self.tested else None
         return self.these > 0, self.another > 0, p
 
     def entry(self, *, frame: bool = False) -> dict[str, Any]:
@@ -140,7 +151,7 @@ class FitCounts:
 NOT_FITTED = FitCounts()
 
 
-def _evidence(measurement: Measurement) -> float | None:
+def _evidence(measurement: Measurement) -> tuple[tuple[int, ...], float] | None:
     # A fit that was turned by half explains the labels of the turned field.
     near_px = _NEAR * measurement.setup.size[0]
     labels = max(
@@ -152,7 +163,9 @@ def _evidence(measurement: Measurement) -> float | None:
     if not feet:
         return None
     points = measurement.points_px[shown]
-    return independence_evidence(points, np.concatenate(feet) - points)
+    evidence = independence_evidence(points, np.concatenate(feet) - points)
+    middle = measurement.points_px.mean(axis=0).round().astype(int)  # px, of all clicks
+    return None if evidence is None else ((len(measurement.points_px), *middle.tolist()), evidence)
 
 
 def name_with_mark(name: str, fitted: FitCounts) -> str:
