@@ -240,20 +240,20 @@ def load_cameras(
     notices = Counter[str]()
     with CameraCollection.open(as_path(path, "cameras"), format) as cameras:
         found.only_folder = cameras.frames.only_folder
+        for error in cameras.passed_over:
+            (on_damaged or _raise)(error)
         for frame in cameras.frames:
             try:
                 loaded = found[frame] = cameras.read(frame)
                 notices.update(loaded.notices)
             except InputError as error:
-                if on_damaged is None:
-                    raise
-                on_damaged(error)
+                (on_damaged or _raise)(error)
         if not cameras.frames:
             raise UsageError(
                 f"{cameras.path}: holds no camera (format {format})"
                 + found_instead_of_cameras(cameras.path)
             )
-        told = [*cameras.notices]
+        told = [*cameras.remarks]
     told += (f"{notice} ({pluralize(count, 'camera')})" for notice, count in notices.items())
     for notice in told:
         warnings.warn(f"{path}: {notice}", stacklevel=2)

@@ -134,7 +134,7 @@ class CamerasInMemory(CameraCollection):
     """Cameras of a program as a collection of files, in the process that has them."""
 
     def __init__(self, cameras: Mapping[str, AnyCamera | None], name: str, field: Field) -> None:
-        self.path, self.format, self.field, self.notices = Path(name), "values", field, ()
+        self.path, self.format, self.field, self.remarks = Path(name), "values", field, ()
         self._cameras = {frame: one for frame, one in cameras.items() if one is not None}
         self.frames = FrameTable((frame, frame) for frame in self._cameras)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path, PurePosixPath
@@ -43,6 +43,7 @@ from procc_annotator.formats.strict_json import printable
 # So many files are opened to see whether they hold one camera or several; where none of them holds
 # several, nor does any other: of 20,000 files no more are opened when they are listed.
 _LOOKED_INTO = 16
+_SHOWN = 3  # of what was passed over
 _ONE_OF_THEM = (
     "keep one of them, or choose a camera format; files of one match each belong in a folder of the"
     " match's name (game1/cameras.json)"
@@ -58,10 +59,13 @@ class CameraCollection:
         path: where they are.
         format: one of `CAMERA_FORMATS`, or of a plug-in.
         frames: frame name -> the file its camera is in.
-        notices: remarks about the collection that a person should see.
+        remarks: about the collection, that a person should see.
+        passed_over: errors of records whose frames are unknown.
         field: what the pictures show, where that is known: a camera that would be taken for one of
             another field cannot be read.
     """
+
+    passed_over: Sequence[CameraError] = ()
 
     def __init__(
         self,
@@ -90,7 +94,7 @@ class CameraCollection:
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
-        self.notices = (*files.notices, *plugin_problems())
+        self.remarks = (*files.notices, *plugin_problems())
         if found := paired_records(PAIRED_FORMATS, source, files, fmt, about_to_read):
             self._take({own: file for own, file in files.items() if file in found}, found)
         else:
@@ -114,6 +118,13 @@ class CameraCollection:
             InputError: see above.
         """
         return cls(open_source(path, base), fmt, field, about_to_read)
+
+    @property
+    def notices(self) -> tuple[str, ...]:
+        """Remarks, and what was passed over."""
+        said = [f"passed over: {printable(str(e), 300)}" for e in self.passed_over]
+        more = [f"passed over: {len(said) - _SHOWN} more records"] if len(said) > _SHOWN else []
+        return (*self.remarks, *said[:_SHOWN], *more)
 
     def read(self, frame: str, field: Field | None = None) -> LoadedCamera:
         """The camera of a frame of `frames`.
@@ -205,7 +216,7 @@ class CameraCollection:
                 if len(files) == 1:
                     raise
                 left_out.add(file)
-                self.notices = (*self.notices, f"passed over: {error}")
+                self.remarks = (*self.remarks, f"passed over: {error}")
                 continue
             if records is not None:
                 found[file] = records.below(own.rpartition("/")[0])
@@ -250,7 +261,8 @@ class CameraCollection:
         self._records = found
         self.frames = ByFrame((frame, frames[frame]) for frame in natsorted(frames))
         remarks = (remark for records in found.values() for remark in records.notices)
-        self.notices = (*self.notices, *dict.fromkeys(remarks))
+        self.remarks = (*self.remarks, *dict.fromkeys(remarks))
+        self.passed_over = [e for records in found.values() for e in records.passed_over]
 
     def _read_file(self, file: str) -> bytes:
         try:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 from typing import Any
@@ -102,6 +102,7 @@ class CameraRecords:
         read_record: reads one entry.
         notices: remarks on parts of the file that belong to no frame.
         only_folder: that all pictures lie in by their names, while frames are called without it.
+        passed_over: damaged records whose frames are unknown.
     """
 
     path: str
@@ -109,6 +110,7 @@ class CameraRecords:
     read_record: ReadRecord
     notices: tuple[str, ...] = field(default=())
     only_folder: str = ""
+    passed_over: Sequence[CameraError] = ()
 
     @classmethod
     def of(
@@ -118,6 +120,7 @@ class CameraRecords:
         read_record: ReadRecord,
         notices: tuple[str, ...] = (),
         expected: str = "",
+        passed_over: Sequence[CameraError] = (),
     ) -> CameraRecords:
         """From (picture's name, record) pairs in file order; frames are called by the last parts of
         these names, or by their paths where they lie in several folders.
@@ -135,7 +138,7 @@ class CameraRecords:
         for name, record in pairs:
             frame = frame_of_image(name, by_path)
             entries[frame] = (*entries.get(frame, ()), record)
-        return cls(path, entries, read_record, notices, only)
+        return cls(path, entries, read_record, notices, only, passed_over)
 
     def below(self, folder: str) -> CameraRecords:
         """The same cameras of frames in a folder of a tree."""

@@ -26,7 +26,6 @@ from procc_annotator.formats.strict_json import (
     decode_fast,
     is_finite_number,
     json_kind,
-    printable,
     strip_bom,
 )
 
@@ -149,7 +148,6 @@ def _degrees(angle_rad: float) -> float:
 
 TVCALIB_KIND = "a TVCalib record"
 _NAME_KEYS = ("image_ids", "image_id")
-_SHOWN_PROBLEMS = 3
 _ASSUMED = (960, 540)
 
 
@@ -161,7 +159,7 @@ def is_tvcalib(content: object) -> bool:
 def tvcalib_records(content: object, path: str) -> CameraRecords:
     """The records of a file: one a line, or all in one JSON list.
 
-    A line that is no record belongs to no frame anyone knows; it is passed over with a notice.
+    A line that is no record belongs to no frame anyone knows; it is passed over.
 
     Raises:
         CameraError: no line is a record.
@@ -178,7 +176,7 @@ def tvcalib_records(content: object, path: str) -> CameraRecords:
         if problems:
             raise problems[0]
         raise CameraError(path, "is empty, expected one JSON record a line")
-    return CameraRecords.of(path, found, tvcalib_from, _notices(problems))
+    return CameraRecords.of(path, found, tvcalib_from, passed_over=problems)
 
 
 def tvcalib_from(content: object, path: str, inside: str = "") -> LoadedCamera:
@@ -230,12 +228,6 @@ def _picture(content: object, path: str, place: str) -> str:
         problem = f"expected the name of a picture, found {json_kind(name)}"
         raise values.error(problem, _NAME_KEYS[0])
     return name
-
-
-def _notices(problems: list[CameraError]) -> tuple[str, ...]:
-    more = len(problems) - _SHOWN_PROBLEMS
-    said = [f"passed over: {printable(str(p), 300)}" for p in problems[:_SHOWN_PROBLEMS]]
-    return (*said, f"passed over: {more} more records") if more > 0 else tuple(said)
 
 
 BROADTRACK_KIND = "a BroadTrack camera"
