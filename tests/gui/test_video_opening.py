@@ -160,14 +160,16 @@ def test_cancelling_leaves_what_was_open(window, qtbot, match):
 
 
 def test_a_dataset_opened_meanwhile_wins(window, qtbot, dataset, match, monkeypatch):
-    gate, finished = threading.Event(), threading.Event()
+    begun, gate, finished = threading.Event(), threading.Event(), threading.Event()
 
     def slow(_: Video) -> None:
+        begun.set()
         gate.wait(10)
         finished.set()
 
     monkeypatch.setattr(Video, "read_index", slow)
     window.opening.open_path(match)
+    qtbot.waitUntil(begun.is_set)
     window.services.opening.open_path(dataset)
     gate.set()
     qtbot.waitUntil(finished.is_set)
