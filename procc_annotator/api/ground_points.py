@@ -250,11 +250,7 @@ def _views(
     size: tuple[int, int] | None,
     camera_size: tuple[int, int] | None,
 ) -> list[_View]:
-    """The frames that have a camera.
-
-    Raises:
-        UsageError: a size is given, and cameras of files whose size nothing says.
-    """
+    """The frames that have a camera; UsageError: a size is given, and cameras that state none."""
     rows_of: dict[str, list[int]] = {}
     for row, frame in enumerate(table.frames):
         rows_of.setdefault(frame, []).append(row)

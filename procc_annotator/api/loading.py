@@ -294,13 +294,8 @@ def _frames(
     on_damaged: OnDamaged | None,
     labels: str | Path | None,
 ) -> list[ExchangedFrame]:
-    """Return what is annotated, each frame once.
-
-    Args:
-        place: what the annotations are read from.
-        dataset: whose they are: pictures around it say sizes that files leave out, and a
-            ``labels.toml`` in it what names of another program stand for.
-    """
+    """Return what is annotated at a place, each frame once; sizes that files leave out are those of
+    pictures around the dataset, names of another program those of its ``labels.toml``."""
     if labels is None:
         names = own_label_map(dataset, field)
     else:

@@ -118,13 +118,8 @@ def _opened(
     title: str = "annotations",
 ) -> Iterator[_Opened]:
     """Annotations and methods as the commands read them; annotations that are given as values are
-    written to a folder that is removed afterwards.
-
-    Args:
-        every_frame: whether functions are called for the frames of all methods, not only for those
-            annotated.
-        title: name of annotations that have none.
-    """
+    written to a folder that is removed afterwards, under ``title``. With ``every_frame`` functions
+    are called for the frames of all methods, not only for those annotated."""
     if not isinstance(methods, Mapping) or not all(isinstance(name, str) for name in methods):
         raise UsageError(f"methods: expected them by name, found {kind_of(methods)}")
     if unknown := options.keys() - SetOptions.__annotations__.keys():

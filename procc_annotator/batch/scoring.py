@@ -281,8 +281,8 @@ class Tally:
         return (
             f"in {self.astray} of {self.with_camera} frames no element passes, and points are over"
             f" {_ASTRAY * width:.0f} px off or their elements out of sight: check which picture"
-            f" size the cameras belong to (camera size; evaluated at {width}x{height}), and that z"
-            " is down"
+            f" size the cameras belong to (camera size; evaluated at {width}x{height}), that z"
+            " is down, and that the origin is the field's centre, not a corner"
         )
 
     def groups_by(self, by: str) -> list[tuple[str | None, SetAccumulator]]:

@@ -131,11 +131,7 @@ def _workspace_of(dataset: Path) -> Path:
 def _save(
     dataset: Path, field: Field, sizes: list[FieldSize], groups: Mapping[str, str | None]
 ) -> list[str]:
-    """Keep the dimensions of each stadium, and those of the frames that are of none.
-
-    Returns:
-        What was kept where, a line each.
-    """
+    """Keep the dimensions of each stadium and of frames without one; return a line for each."""
     named, of_set = [s for s in sizes if s.group], [s for s in sizes if not s.group]
     said, problems = [], []
     try:
@@ -154,11 +150,7 @@ def _save(
 
 
 def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:
-    """Keep the dimensions that are determined, next to those that were kept before.
-
-    Returns:
-        What was kept where.
-    """
+    """Keep the dimensions that are determined, next to those kept before; return what and where."""
     if size.stadium is not None and size.stadium.frames == 1:
         raise UsageError(
             "nothing kept: a single frame tells no dimensions, they absorb what belongs to its"
@@ -189,11 +181,7 @@ def _kept_stadiums(dataset: Path, field: Field) -> Stadiums:
 def _save_stadiums(
     dataset: Path, field: Field, sizes: list[FieldSize], groups: Mapping[str, str | None]
 ) -> str:
-    """Keep the dimensions of each stadium, next to those of others that were kept before.
-
-    Returns:
-        What was written where.
-    """
+    """Keep the dimensions of each stadium, next to those of others; return what and where."""
     found = {
         size.group: size.stadium.values
         for size in sizes

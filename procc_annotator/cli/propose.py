@@ -197,13 +197,8 @@ def _require_free(out: Path, frames: Sequence[Frame]) -> None:
 
 @dataclass(frozen=True)
 class _FramesToPropose:
-    """Pictures to look at.
-
-    Attributes:
-        frames: these.
-        annotated: how many others are annotated.
-        damaged: why the annotations of the rest cannot be read: they may hold points.
-    """
+    """Frames to propose for, the number of annotated others, and why the annotations of the rest
+    cannot be read: they may hold points."""
 
     frames: list[Frame]
     annotated: int = 0

@@ -40,14 +40,8 @@ _NAMED_AFTER = word("click begins a line that is named after")
 
 @dataclass(frozen=True, slots=True)
 class _HintText:
-    """The phrases of a state.
-
-    Attributes:
-        tool: what is in hand, and what it is at.
-        click: what a click does; "" where the other answers say.
-        answers: what Enter and Esc do.
-        more: what else there is to know.
-    """
+    """The phrases of a state: tool in hand, effect of a click ("" if the answers say it), effects
+    of Enter and Esc, and anything else."""
 
     tool: str
     click: str

@@ -6,9 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from procc_annotator.api.loading import load_cameras
 from procc_annotator.cli.echo import condense_problems
 from procc_annotator.cli.method_arguments import SourceSpec, parse_source, parse_sources
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import CameraError, UsageError
 from tests.cli.conftest import camera_file
 
 
@@ -92,6 +93,10 @@ def test_a_cut_record_of_many_cameras_is_named_by_every_command(cli, dataset, tm
         done = cli(*command)
         assert "passed over: " in done.stderr, command
         assert f"line {len(records)}" in done.stderr, command
+    damaged = []
+    assert len(load_cameras(cameras, on_damaged=damaged.append)) == len(records) - len(damaged)
+    with pytest.raises(CameraError, match=f"line {len(records)}"):
+        load_cameras(cameras)
 
 
 def test_one_file_of_cameras_that_cannot_be_read_says_why(cli, dataset, tmp_path):

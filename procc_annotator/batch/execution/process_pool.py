@@ -165,11 +165,8 @@ class ProcessPool:
 
 
 class _RememberingContext(SpawnContext):
-    """Knows the processes started through it.
-
-    A pool that breaks while it starts a process forgets that one when it ends the others, and then
-    waits for it forever.
-    """
+    """Knows the processes started through it: a pool that breaks while it starts one forgets it
+    when it ends the others, and then waits for it forever."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -233,12 +233,8 @@ def _over_time(
 
 
 def _html(report: AuditReport, request: ReportRequest, problems: list[str], **shown: Any) -> bytes:
-    """The page, UTF-8; the same input gives the same bytes.
-
-    Args:
-        problems: files that could not be used, besides those that the report itself lists.
-        shown: charts, pictures and tables by their names in the template.
-    """
+    """The page, UTF-8; ``problems`` are files not used that the report does not list, ``shown``
+    the charts, pictures and tables by their names in the template."""
     failures = list(dict.fromkeys([*report.failures(), *problems]))
     notices = [
         (source.name, text, count)

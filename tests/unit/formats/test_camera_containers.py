@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from procc_annotator.api.loading import load_cameras
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import CameraError, InputError
@@ -74,16 +73,6 @@ def test_what_lies_beside_a_container_does_no_harm(tmp_path):
         assert len(cameras.notices) == 1
         assert "passed over: " in cameras.notices[0]
         assert "results.json" in cameras.notices[0]
-
-
-def test_a_cut_line_raises_or_is_handed_on(tmp_path):
-    path = tmp_path / "cameras.jsonl"
-    path.write_text((line("1.jpg") + line("2.jpg"))[:-80])
-    with pytest.raises(CameraError, match="line 2: is not valid JSON"):
-        load_cameras(path)
-    damaged: list[Exception] = []
-    assert [*load_cameras(path, on_damaged=damaged.append)] == ["1"]
-    assert "line 2" in str(damaged[0])
 
 
 def test_cameras_deeper_than_others_are_named(tmp_path):
