@@ -13,8 +13,9 @@ from typing import Protocol
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.batch.checkpoint import hex_digest, serialize, stamp_of_file
+from procc_annotator.batch.serialization import serialize
 from procc_annotator.batch.set_run import SetRun
+from procc_annotator.batch.unit_store import hex_digest, stamp_of_file
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.single_image.probability import SURE_FROM
 from procc_annotator.calibration.single_image.proposal import (

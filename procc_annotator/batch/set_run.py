@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.batch.checkpoint import Checkpoint, hex_digest, stamp_of_file
 from procc_annotator.batch.execution.executor import Executor, InProcess
+from procc_annotator.batch.unit_store import UnitStore, hex_digest, stamp_of_file
 from procc_annotator.dataset.diagnostics import found_instead_of_annotations, refuse_cameras
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
@@ -63,7 +63,7 @@ class SetRun(Generic[F, R, S]):
     """
 
     chunk: int = CHUNK
-    kept: Checkpoint | None = None
+    kept: UnitStore | None = None
 
     def __init__(
         self,
@@ -92,7 +92,7 @@ class SetRun(Generic[F, R, S]):
             yield from results
 
     def _pieces(
-        self, chunks: list[Sequence[F]], kept: Checkpoint | None
+        self, chunks: list[Sequence[F]], kept: UnitStore | None
     ) -> Iterator[tuple[list[R], S]]:
         """Results and sums of the chunks: those that are kept, and the others as they are made."""
         if kept is None:
@@ -106,7 +106,7 @@ class SetRun(Generic[F, R, S]):
                 results, sums = next(made)
                 kept.add(key, results)
                 yield results, sums
-            elif (found := kept.results(key)) is not None:
+            elif (found := kept.result(key)) is not None:
                 yield found, self._sums_of(found)
             else:  # damaged on the disk
                 yield self.task(chunk)

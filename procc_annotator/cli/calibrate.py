@@ -9,10 +9,10 @@ from typing import Annotated
 import typer
 
 from procc_annotator.batch.calibration import CalibrationRun
-from procc_annotator.batch.checkpoint import Checkpoint, checkpoint_path, field_settings
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.joint_calibration import JointRun
 from procc_annotator.batch.set_run import WORTH_WORKERS, annotation_files
+from procc_annotator.batch.unit_store import UnitStore, field_settings, unfinished_path
 from procc_annotator.calibration.fitting import require_known_model
 from procc_annotator.calibration.result import ILL_CONDITIONED_LIMITS
 from procc_annotator.cli import options, outputs, remarks
@@ -124,7 +124,7 @@ def calibrate(given: CalibrateOptions) -> None:
     thresholds = options.thresholds_or_default(given.threshold)
     place = annotations_of(given.dataset)
     with open_annotations(place, field, given.field_options.names(field)) as source:
-        left = checkpoint_path(given.out, "calibrate")
+        left = unfinished_path(given.out, "calibrate")
         going_on = is_resuming(
             left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
         )
@@ -150,7 +150,7 @@ def _calibrate(
     setup: EvaluationSetup,
     sizes: FitSizes,
     thresholds: tuple[float, ...],
-    kept: Checkpoint,
+    kept: UnitStore,
 ) -> int:
     if given.shared_position:
         fits = fit_set(

@@ -8,7 +8,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
-from procc_annotator.batch.checkpoint import checkpoint_path
+from procc_annotator.batch.unit_store import unfinished_path
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
@@ -128,7 +128,7 @@ def replacing_nothing(
 ) -> Iterator[None]:
     """Check as above, and mark a folder as unfinished by a hidden file until all is written: after
     a run was stopped or killed, the same command may replace what that run wrote."""
-    unfinished, is_new = checkpoint_path(out, command), not out.exists()
+    unfinished, is_new = unfinished_path(out, command), not out.exists()
     check_replaces_nothing(out, names, overwrite=overwrite or unfinished.exists())
     if is_archive(out):
         yield

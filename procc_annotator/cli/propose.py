@@ -17,8 +17,8 @@ from procc_annotator.batch.camera_proposals import (
     chosen_proposer,
     read_positions,
 )
-from procc_annotator.batch.checkpoint import checkpoint_path, field_settings
 from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.unit_store import field_settings, unfinished_path
 from procc_annotator.calibration.single_image.probability import POSSIBLE_FROM, SURE_FROM
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.cli import input_files, options, outputs, remarks
@@ -147,7 +147,7 @@ def propose(given: ProposeOptions) -> None:
     names = given.field_options.names(shown)
     pictures = open_pictures(given.dataset, given.annotations)
     remarks.report_remarks(pictures.notices)
-    left = checkpoint_path(given.out, "propose")
+    left = unfinished_path(given.out, "propose")
     going_on = is_resuming(
         left, given.out / TABLE_FILE, given.out, resume=given.resume, overwrite=given.overwrite
     )

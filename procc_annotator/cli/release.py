@@ -14,8 +14,8 @@ from typing import Annotated
 import typer
 
 from procc_annotator.batch.agreement import AgreementRun
-from procc_annotator.batch.checkpoint import checkpoint_path
 from procc_annotator.batch.label_check import CheckRun
+from procc_annotator.batch.unit_store import unfinished_path
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, with_progress
 from procc_annotator.cli.echo import echo
@@ -195,7 +195,7 @@ def _check_out(out: Path, source: FileSource, dataset: Path, *, overwrite: bool)
     outputs.check_place(out, [source])
     if dataset.is_dir() and out.resolve().is_relative_to(dataset.resolve()):
         raise UsageError(f"{out}: lies in what is read, write to another place than {dataset}")
-    stopped = checkpoint_path(out, "release").exists()
+    stopped = unfinished_path(out, "release").exists()
     if is_archive(out):
         outputs.check_replaces_nothing(out, (), overwrite=overwrite)
     elif out.is_dir() and any(out.iterdir()) and not overwrite and not stopped:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import typer
 
-from procc_annotator.batch.checkpoint import Checkpoint
+from procc_annotator.batch.unit_store import UnitStore
 from procc_annotator.cli.echo import echo
 from procc_annotator.errors import UsageError
 from procc_annotator.messages import pluralize
@@ -19,7 +19,7 @@ def is_resuming(left: Path, table: Path, out: Path, *, resume: bool, overwrite: 
     """Return whether a run goes on with what another one left.
 
     Args:
-        left: see `procc_annotator.batch.checkpoint.unfinished_file`.
+        left: see `procc_annotator.batch.unit_store.unfinished_path`.
         table: what is written last; an archive is written as a whole.
         out: of the command.
 
@@ -48,11 +48,11 @@ def is_resuming(left: Path, table: Path, out: Path, *, resume: bool, overwrite: 
 @contextmanager
 def resumable(
     left: Path, settings: Mapping[str, str], out: Path, table: str, noun: str, *, resume: bool
-) -> Iterator[Checkpoint]:
-    """The checkpoint of a run with these settings; a person who stops it learns how many of its
+) -> Iterator[UnitStore]:
+    """The unit store of a run with these settings; a person who stops it learns how many of its
     files (such as ``sure camera``) are in OUT without the table, and how to go on."""
     try:
-        with Checkpoint(left, settings, resume=resume) as kept:
+        with UnitStore(left, settings, resume=resume) as kept:
             yield kept
             kept.finish()
     except Interrupted as stopped:

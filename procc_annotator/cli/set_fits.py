@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-from procc_annotator.batch.checkpoint import Checkpoint
 from procc_annotator.batch.execution.executor import make_executor
 from procc_annotator.batch.joint_calibration import IndividualFit, SetFits, read_groups
 from procc_annotator.batch.set_run import WORTH_WORKERS, annotation_files
+from procc_annotator.batch.unit_store import UnitStore
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.evaluation_plan import set_name_of
 from procc_annotator.cli.options import shown_size
@@ -41,7 +41,7 @@ def fit_set(
     groups: Path | None,
     workers: int | None,
     dask: str | None,
-    kept: Checkpoint | None = None,
+    kept: UnitStore | None = None,
 ) -> FittedFrames:
     """Fit every frame of a set (open annotations) by itself, with a progress bar.
 

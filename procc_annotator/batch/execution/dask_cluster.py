@@ -11,11 +11,11 @@ import logging
 import socket
 import time
 import uuid
-from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import CancelledError
 from contextlib import ExitStack, contextmanager
 from itertools import islice
+from queue import Empty, SimpleQueue
 from typing import Any, Self, TypeVar
 
 from procc_annotator.batch.execution.process_pool import run_chunk
@@ -31,6 +31,10 @@ WORKERS_S = 10.0  # how long it may take until there is a first worker
 LOST_S = 60.0  # how long there may be no worker in the midst of the work
 _LOOK_S = 5.0  # how often workers are counted while waiting
 _SMALLEST_WINDOW = 4  # chunks under way, also on a cluster that has yet to grow
+
+
+class LostWorkError(ProccError):
+    """Worker after worker was lost over one chunk."""
 
 
 class DaskCluster:
@@ -67,12 +71,19 @@ class DaskCluster:
             self._ending = ending.pop_all()
 
     def map(
-        self, task: Callable[[C], R], chunks: Iterable[C], *, name: Callable[[C], str] = repr
+        self,
+        task: Callable[[C], R],
+        chunks: Iterable[C],
+        *,
+        name: Callable[[C], str] = repr,
+        ordered: bool = True,
+        lost: Callable[[C, ProccError], R] | None = None,
     ) -> Iterator[R]:
         """See `Executor.map`."""
         run = uuid.uuid4().hex
         more = enumerate(chunks)
-        sent: deque[tuple[C, Any]] = deque()
+        sent: dict[Any, C] = {}  # by their futures, in the order in which they were sent
+        arrived: SimpleQueue[object] = SimpleQueue()
         try:
             while True:
                 for i, chunk in islice(more, max(0, self._window() - len(sent))):
@@ -80,53 +91,65 @@ class DaskCluster:
                     future = self._client.submit(
                         _run_same_version, __version__, run, task, chunk, key=key, pure=False
                     )
-                    sent.append((chunk, future))
+                    sent[future] = chunk
+                    future.add_done_callback(arrived.put)
                 if not sent:
                     return
-                result: R = self._result(*sent[0], name)
-                sent.popleft()
+                future = self._first_done(sent, arrived, ordered)
+                try:
+                    result: R = self._result(future, sent[future], name)
+                except LostWorkError as error:
+                    if lost is None:
+                        raise
+                    result = lost(sent[future], error)
+                del sent[future]
                 yield result
         finally:
             if sent and self._client.status == "running":
-                self._client.cancel([future for _, future in sent], force=True)
+                self._client.cancel(list(sent), force=True)
 
-    def _result(self, chunk: C, future: Any, name: Callable[[C], str]) -> Any:
+    def _first_done(self, sent: Iterable[Any], arrived: SimpleQueue[object], ordered: bool) -> Any:
+        """Wait for a result, if ordered for the first one.
+
+        To give up a result that is just being fetched would leave the client with a fetch that was
+        called off, which the next one would join.
+        """
+        nobody_since: float | None = None
+        while True:
+            for future in islice(sent, 1 if ordered else None):
+                if future.done():
+                    return future
+            try:
+                arrived.get(timeout=_LOOK_S)
+            except Empty:
+                nobody_since = self._require_workers(nobody_since)
+
+    def _result(self, future: Any, chunk: C, name: Callable[[C], str]) -> Any:
         from distributed import KilledWorker
 
-        nobody_since: float | None = None
-        failed = False
-        while True:
-            try:
-                # Waited for first: to give up a result that is just being fetched would leave the
-                # client with a fetch that was called off, which the next one would join.
-                if not future.done():
-                    future.exception(timeout=_LOOK_S)
-                return future.result(timeout=LOST_S)
-            except KilledWorker as error:
-                raise ProccError(
-                    f"{name(chunk)}: worker after worker was lost over this part of the work,"
-                    " too little memory or a damaged file (look at these frames)"
-                ) from error
-            except CancelledError as error:
-                raise ProccError(
-                    f"the connection to the Dask scheduler at {self.address} was lost"
-                    " (see whether it still runs, and try again)"
-                ) from error
-            except TimeoutError:
-                if future.status == "error":
-                    if failed:  # the task's own error, not the end of the waiting
-                        raise
-                    failed = True
-                else:
-                    nobody_since = self._require_workers(nobody_since)
-            except RuntimeError as error:
-                if not str(error).startswith("Error during deserialization"):
-                    raise
-                raise ProccError(
-                    f"the Dask scheduler at {self.address} cannot take the work: {error.__cause__}"
-                    f" (install procc-annotator[dask] {__version__} on the scheduler and on every"
-                    " worker)"
-                ) from error
+        try:
+            return future.result(timeout=LOST_S)
+        except KilledWorker as error:
+            raise LostWorkError(
+                f"{name(chunk)}: worker after worker was lost over this part of the work,"
+                " too little memory or a damaged file (look at these frames)"
+            ) from error
+        except CancelledError as error:
+            raise self._disconnected() from error
+        except RuntimeError as error:
+            if not str(error).startswith("Error during deserialization"):
+                raise
+            raise ProccError(
+                f"the Dask scheduler at {self.address} cannot take the work: {error.__cause__}"
+                f" (install procc-annotator[dask] {__version__} on the scheduler and on every"
+                " worker)"
+            ) from error
+
+    def _disconnected(self) -> ProccError:
+        return ProccError(
+            f"the connection to the Dask scheduler at {self.address} was lost"
+            " (see whether it still runs, and try again)"
+        )
 
     def _require_workers(self, nobody_since: float | None) -> float | None:
         """Since when there is no worker, None while there is one; too long is an error."""

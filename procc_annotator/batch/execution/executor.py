@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Protocol, TypeVar
 
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import ProccError, UsageError
 
 C = TypeVar("C")
 R = TypeVar("R")
@@ -25,9 +25,15 @@ class Executor(Protocol):
     """Maps a task over chunks."""
 
     def map(
-        self, task: Callable[[C], R], chunks: Iterable[C], *, name: Callable[[C], str] = repr
+        self,
+        task: Callable[[C], R],
+        chunks: Iterable[C],
+        *,
+        name: Callable[[C], str] = repr,
+        ordered: bool = True,
+        lost: Callable[[C, ProccError], R] | None = None,
     ) -> Iterator[R]:
-        """The results in the order of the chunks; chunks are taken as results are.
+        """The results of the chunks; chunks are taken as results are.
 
         Closing the iterator, or an exception where it is used, gives up what is not done yet. A
         chunk whose worker is lost is done again.
@@ -38,9 +44,12 @@ class Executor(Protocol):
                 has one, is called when the worker needs it no more.
             chunks: as much work each as is worth a trip: a tenth of a second or more.
             name: how to name a chunk to a person, e.g. by its first and last frame.
+            ordered: whether results come in the order of the chunks; else as they are made, so that
+                a long chunk holds nothing up.
+            lost: result of a chunk over which workers were lost again and again.
 
         Raises:
-            ProccError: workers were lost again and again over one chunk; or what the task raises.
+            ProccError: as given to ``lost``, without one; or what the task raises.
         """
 
 
@@ -48,10 +57,16 @@ class InProcess:
     """Does everything here, chunk by chunk, when the result is asked for, with the task itself."""
 
     def map(
-        self, task: Callable[[C], R], chunks: Iterable[C], *, name: Callable[[C], str] = repr
+        self,
+        task: Callable[[C], R],
+        chunks: Iterable[C],
+        *,
+        name: Callable[[C], str] = repr,
+        ordered: bool = True,
+        lost: Callable[[C, ProccError], R] | None = None,
     ) -> Iterator[R]:
         """See `Executor.map`."""
-        del name  # nobody is lost here
+        del name, ordered, lost  # nobody is lost here
         return map(task, chunks)
 
 

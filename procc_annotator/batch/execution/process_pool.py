@@ -8,7 +8,7 @@ import signal
 import threading
 import uuid
 from collections import OrderedDict, deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
@@ -92,7 +92,13 @@ class ProcessPool:
         self._context = _RememberingContext()
 
     def map(
-        self, task: Callable[[C], R], chunks: Iterable[C], *, name: Callable[[C], str] = repr
+        self,
+        task: Callable[[C], R],
+        chunks: Iterable[C],
+        *,
+        name: Callable[[C], str] = repr,
+        ordered: bool = True,
+        lost: Callable[[C, ProccError], R] | None = None,
     ) -> Iterator[R]:
         """See `Executor.map`. A bounded window of chunks is under way, so that memory stays flat
         when results are used up more slowly than they are made.
@@ -103,6 +109,7 @@ class ProcessPool:
         key = uuid.uuid4().hex
         more = iter(chunks)
         sent: deque[_Sent[C, R]] = deque()
+        arrived: SimpleQueue[object] = SimpleQueue()
         while True:
             sent.extend(map(_Sent[C, R], islice(more, 2 * self.workers - len(sent))))
             if not sent:
@@ -112,16 +119,24 @@ class ProcessPool:
                 for one in islice(sent, 1 if alone else None):
                     if one.future is None:
                         one.future = self._submit(key, task, one.chunk)
-                assert sent[0].future is not None
-                result = _result(sent[0].future)
+                        with _interrupts_deferred():
+                            one.future.add_done_callback(arrived.put)
+                one = _first_done(sent, arrived, ordered or alone)
+                assert one.future is not None
+                with _interrupts_deferred():
+                    result = one.future.result()
             except BrokenProcessPool as error:
                 self._context.kill_all()
                 self._end()
                 _count_broken(sent, alone)
-                if sent[0].broke_alone >= _ALONE_TRIES:
-                    raise _lost(name(sent[0].chunk), sent[0]) from error
-                continue
-            sent.popleft()
+                one = sent[0]
+                if one.broke_alone < _ALONE_TRIES:
+                    continue
+                said = _lost(name(one.chunk), one)
+                if lost is None:
+                    raise said from error
+                result = lost(one.chunk, said)
+            sent.remove(one)
             yield result
 
     def _submit(self, key: str, task: Callable[[C], R], chunk: C) -> Future[R]:
@@ -209,20 +224,20 @@ def _lost(name: str, one: _Sent[Any, Any]) -> ProccError:
     )
 
 
-def _result(future: Future[R]) -> R:
-    """Wait for a result; of all that is done with a future, this alone hears Ctrl+C."""
-    arrived: SimpleQueue[object] = SimpleQueue()
-    with _interrupts_deferred():
-        future.add_done_callback(arrived.put)
+def _first_done(
+    sent: Sequence[_Sent[C, R]], arrived: SimpleQueue[object], ordered: bool
+) -> _Sent[C, R]:
+    """Wait for a result, if ordered for the first one; of all that is done with a future, this
+    alone hears Ctrl+C."""
     while True:
+        for one in islice(sent, 1 if ordered else None):
+            if one.future is not None and one.future.done():
+                return one
         try:
             # Python sees a Ctrl+C that came just before a wait when that ends, not before.
             arrived.get(timeout=_INTERRUPT_POLL_S)
-            break
         except Empty:
             continue
-    with _interrupts_deferred():
-        return future.result()
 
 
 @contextmanager

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from procc_annotator.errors import CameraError, InputError
 from procc_annotator.formats.cameras.arrays import array_content, is_array_file
+from procc_annotator.formats.cameras.packed import is_packed, read_packed
 from procc_annotator.formats.csv_tables import read_table
 from procc_annotator.formats.strict_json import (
     decode_fast,
@@ -37,13 +38,15 @@ def decoded_content(data: bytes, path: str) -> Any:
     """The content of a file, by its first bytes and its suffix.
 
     Returns:
-        Arrays of ``.npz`` and MATLAB files by name, JSON, JSON lines as a list, TOML, a `Table` of
-        CSV, the root of XML, KITTI's matrices by name.
+        `PackedCameras`, arrays of ``.npz`` and MATLAB files by name, JSON, JSON lines as a list,
+        TOML, a `Table` of CSV, the root of XML, KITTI's matrices by name.
 
     Raises:
         CameraError: damaged.
     """
     suffix = path.lower()
+    if is_packed(data):
+        return read_packed(data, path)
     if is_array_file(data) or suffix.endswith(ARRAY_SUFFIXES):
         return array_content(data, path)
     if suffix.endswith(TOML_SUFFIX):

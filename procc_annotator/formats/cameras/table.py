@@ -28,6 +28,7 @@ from procc_annotator.formats.cameras.loaded_camera import (
 )
 from procc_annotator.formats.cameras.matrix_tables import is_matrix_table, table_records
 from procc_annotator.formats.cameras.opencv import is_storage, read_opencv
+from procc_annotator.formats.cameras.packed import PackedCameras, packed_records
 from procc_annotator.formats.cameras.paired_files import (
     both_names,
     colmap_records,
@@ -79,6 +80,10 @@ def _by_frame(
     return CameraRecords.of(path, found, read)
 
 
+def _is_a(kind: type, content: object) -> bool:
+    return isinstance(content, kind)
+
+
 def _is_soccernet(content: object) -> bool:
     return type(content) is dict and soccernet.is_soccernet(content)
 
@@ -103,6 +108,11 @@ ROWS: tuple[CameraFormat, ...] = (
     SOCCERNET,
     TVCALIB,
     STORAGE,
+    _row(
+        "packed", "packed cameras of a match", "procc_cameras", _OURS,
+        "MATCH.npz, as track writes it", partial(_is_a, PackedCameras), None, packed_records,
+        ARRAY_SUFFIXES,
+    ),
     _row(
         "broadtrack", "BroadTrack JSON", "PICTURE.cp", _OURS, '{PICTURE: {"cp": camera}}',
         partial(maps_objects, keys={"cp"}), None, soccernet.broadtrack_records,

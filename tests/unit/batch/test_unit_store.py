@@ -11,12 +11,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline
-from procc_annotator.batch.checkpoint import (
-    Checkpoint,
-    SerializationError,
-    deserialize,
+from procc_annotator.batch.serialization import SerializationError, deserialize, serialize
+from procc_annotator.batch.unit_store import (
+    UnitStore,
     field_settings,
-    serialize,
 )
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.dataset.picture_sizes import FrameSize
@@ -63,12 +61,12 @@ def darker(field: Field) -> Field:
 def test_results_of_another_field_are_not_gone_on_with(tmp_path, change):
     field = field_with(SEAT, BALL)
     file = tmp_path / ".propose.unfinished"
-    with Checkpoint(file, {"field": field_settings(field)}, resume=False) as kept:
+    with UnitStore(file, {"field": field_settings(field)}, resume=False) as kept:
         kept.add("0" * 64, [1.0])
-    with Checkpoint(file, {"field": field_settings(field)}, resume=True) as kept:
+    with UnitStore(file, {"field": field_settings(field)}, resume=True) as kept:
         assert len(kept) == 1
     with pytest.raises(UsageError, match="begun with another field"):
-        Checkpoint(file, {"field": field_settings(change(field))}, resume=True)
+        UnitStore(file, {"field": field_settings(change(field))}, resume=True)
 
 
 def test_what_no_fit_looks_at_keeps_no_run_from_going_on():
@@ -146,8 +144,8 @@ def test_only_plain_data_is_kept():
         "", "{", '{"x": 1}', '{"r": 0}', '{"a": ["|O", [1], "AAAAAAAAAAA="]}', '{"n": ["|O", 1]}',
         '{"c": ["os:system", ["true"]]}',
         '{"c": ["procc_annotator.formats.atomic:write_atomic", ["/tmp/x", ""]]}',
-        '{"c": ["procc_annotator.batch.checkpoint:import_module", ["os"]]}',
-        '{"c": ["procc_annotator.batch.checkpoint:Path", ["/"]]}',
+        '{"c": ["procc_annotator.batch.serialization:import_module", ["os"]]}',
+        '{"c": ["procc_annotator.batch.serialization:Path", ["/"]]}',
         '{"c": ["procc_annotator.annotation:Point", []]}',
         '{"c": ["procc_annotator.annotation:Polyline", [1, 2, 3]]}',
         '{"c": ["procc_annotator.no.such:Thing", []]}',

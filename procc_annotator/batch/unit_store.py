@@ -1,0 +1,300 @@
+"""The units of a run in one SQLite file: which are done, with their results, and which failed.
+
+One process writes; others may read meanwhile, as ``status`` does. SQLite was chosen because a unit
+is one transaction that a kill cannot tear, a season's 100,000 units need no memory, questions such
+as "failed ones by match" are one statement, and it is part of Python.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import sqlite3
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from typing import Any, Self
+
+import numpy as np
+
+from procc_annotator.batch.serialization import SerializationError, deserialize, serialize
+from procc_annotator.errors import InputError, SaveError, UsageError
+from procc_annotator.field.load import field_fingerprint
+from procc_annotator.field.model import Field
+from procc_annotator.formats.atomic import sibling_path
+from procc_annotator.regular_file import read_head
+from procc_annotator.version import __version__
+
+DONE, FAILED, WAITING = "done", "failed", "waiting"
+MOST_TRIES = 3  # a unit that failed so often is set aside
+_BUSY_S = 30.0  # that a reader may hold up the writer
+_VERSION = 1
+_SCHEMA = f"""
+CREATE TABLE terms (name TEXT PRIMARY KEY, value TEXT NOT NULL);
+CREATE TABLE units (
+    key TEXT PRIMARY KEY, match TEXT NOT NULL, kind TEXT NOT NULL, state TEXT NOT NULL,
+    tries INTEGER NOT NULL, seconds REAL NOT NULL, frames INTEGER NOT NULL, evidence REAL,
+    error TEXT NOT NULL, changed REAL NOT NULL, result BLOB
+) WITHOUT ROWID;
+CREATE INDEX units_by_match ON units (match, state);
+PRAGMA user_version = {_VERSION};
+"""
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A part of a run.
+
+    Attributes:
+        key: distinguishes it, and all that its result depends on, from any other.
+        match: that it belongs to; empty for a run over one source.
+        kind: of work.
+        state: `DONE`, `FAILED`, or `WAITING` for another try.
+        tries: so far.
+        seconds: of work, all tries together.
+        frames: that it is about.
+        evidence: 0 to 1, how much of the visible model was found on paint; None where nothing is
+            measured.
+        error: why the last try failed.
+        changed: when, seconds since 1970.
+    """
+
+    key: str
+    match: str = ""
+    kind: str = ""
+    state: str = DONE
+    tries: int = 1
+    seconds: float = 0.0
+    frames: int = 0
+    evidence: float | None = None
+    error: str = ""
+    changed: float = 0.0
+
+
+_COLUMNS = tuple(field.name for field in fields(Unit))
+
+
+def unfinished_path(out: Path, command: str) -> Path:
+    """Return where the store of a run lies: in the folder that is written, or next to the archive;
+    hidden, so that no listing of cameras or annotations minds it."""
+    if out.suffix.lower() == ".zip":
+        return sibling_path(out, ".", f".{command}.unfinished")
+    return out / f".{command}.unfinished"
+
+
+class UnitStore:
+    """Units of one run; used as a context, which closes the file."""
+
+    def __init__(self, path: Path, terms: Mapping[str, str], *, resume: bool) -> None:
+        """Begin, or go on.
+
+        Args:
+            path: it and its folder are made with the first unit.
+            terms: what the run was asked for, in words; another one's results are none of this
+                one's.
+            resume: whether to go on with what is there; else that goes.
+
+        Raises:
+            UsageError: what is there was begun with other terms.
+            InputError: it cannot be read.
+        """
+        self.path = path
+        self._terms = {**terms, "version": __version__, "numpy": np.__version__}
+        self._database: sqlite3.Connection | None = None
+        self._new = not (resume and path.exists())
+        if not self._new:
+            self._database = _opened(path)
+            self._check()
+
+    @classmethod
+    def read(cls, path: Path) -> Self:
+        """What a run left, or is writing, to look at.
+
+        Raises:
+            InputError: it cannot be read.
+        """
+        found = cls.__new__(cls)
+        found.path, found._terms, found._new = path, {}, False
+        found._database = _opened(path, read_only=True)
+        return found
+
+    def __contains__(self, key: str) -> bool:
+        """Return whether a unit is done."""
+        return bool(self._rows("SELECT 1 FROM units WHERE key = ? AND state = ?", key, DONE))
+
+    def __len__(self) -> int:
+        found = self._rows("SELECT COUNT(*) FROM units WHERE state = ?", DONE)
+        return int(found[0][0]) if found else 0
+
+    def result(self, key: str) -> Any:
+        """The result of a unit that is done; None if it cannot be read."""
+        found = self._rows("SELECT result FROM units WHERE key = ? AND state = ?", key, DONE)
+        try:
+            return deserialize(found[0][0]) if found and found[0][0] else None
+        except SerializationError:
+            return None
+
+    def unit(self, key: str) -> Unit | None:
+        """What is known of a unit."""
+        found = self._rows(f"SELECT {', '.join(_COLUMNS)} FROM units WHERE key = ?", key)
+        return Unit(*found[0]) if found else None
+
+    def units(self, state: str) -> Iterator[Unit]:
+        """Those in a state, by match."""
+        order = f"SELECT {', '.join(_COLUMNS)} FROM units WHERE state = ? ORDER BY match, key"
+        return (Unit(*row) for row in self._rows(order, state))
+
+    def matches(self) -> list[tuple[str, str, int, int, float, float | None, float]]:
+        """Match, state, units, frames, seconds of work, mean evidence and when the last unit of
+        these changed."""
+        return self._rows(
+            "SELECT match, state, COUNT(*), SUM(frames), SUM(seconds),"
+            " SUM(evidence * frames) / SUM(CASE WHEN evidence IS NULL THEN 0 ELSE frames END),"
+            " MAX(changed) FROM units GROUP BY match, state ORDER BY match, state"
+        )
+
+    def add(self, key: str, result: Any, **about: Any) -> None:
+        """Keep what came of a unit, before anything is said of it.
+
+        Args:
+            about: attributes of the `Unit`.
+
+        Raises:
+            SaveError: the disk is full, say.
+        """
+        data = None if result is None else serialize(result)
+        self._put(Unit(key, changed=time.time(), **about), data)
+
+    def fail(self, unit: Unit) -> None:
+        """Keep that a try failed."""
+        state = WAITING if unit.tries < MOST_TRIES else FAILED
+        self._put(replace(unit, state=state, changed=time.time()), None)
+
+    def forget(self, match: str) -> None:
+        """Drop the results of a match whose files are written; its units stay."""
+        self._write("UPDATE units SET result = NULL WHERE match = ?", match)
+
+    def remove(self, where: str, *values: object) -> None:
+        """Units that are to be done again."""
+        self._write(f"DELETE FROM units WHERE {where}", *values)
+
+    def finish(self) -> None:
+        """All is written: nothing is left to go on with.
+
+        Raises:
+            SaveError: the file cannot be removed.
+        """
+        self.__exit__()
+        try:
+            self.path.unlink(missing_ok=True)
+        except OSError as error:
+            raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
+
+    def _rows(self, statement: str, *values: object) -> list[Any]:
+        if self._database is None:
+            return []
+        try:
+            return self._database.execute(statement, values).fetchall()
+        except sqlite3.Error as error:
+            raise _damaged(self.path, error) from error
+
+    def _put(self, unit: Unit, result: str | None) -> None:
+        marks = ", ".join("?" * (len(_COLUMNS) + 1))
+        columns = ", ".join((*_COLUMNS, "result"))
+        self._write(
+            f"INSERT OR REPLACE INTO units ({columns}) VALUES ({marks})",
+            *(getattr(unit, name) for name in _COLUMNS),
+            result,
+        )
+
+    def _write(self, statement: str, *values: object) -> None:
+        try:
+            if self._database is None:
+                self._database = self._begun()
+            with self._database:
+                self._database.execute(statement, values)
+        except (OSError, sqlite3.Error) as error:
+            raise SaveError(f"{self.path}: cannot be written: {error}") from error
+
+    def _begun(self) -> sqlite3.Connection:
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        self.path.unlink(missing_ok=True)
+        found = sqlite3.connect(self.path, timeout=_BUSY_S)
+        with found:
+            found.executescript(_SCHEMA)
+            found.executemany("INSERT INTO terms VALUES (?, ?)", self._terms.items())
+        return found
+
+    def _check(self) -> None:
+        before = dict(self._rows("SELECT name, value FROM terms"))
+        for name in dict.fromkeys((*self._terms, *before)):
+            if before.get(name) != self._terms.get(name):
+                raise UsageError(
+                    f"{self.path.parent}: what is there was begun with another {name}"
+                    f" ({before.get(name) or 'none'}, now {self._terms.get(name) or 'none'}); ask"
+                    " for the same to go on, or begin anew with --overwrite"
+                )
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *failure: object) -> None:
+        if self._database is not None:
+            self._database.close()
+            self._database = None
+
+
+def _opened(path: Path, *, read_only: bool = False) -> sqlite3.Connection:
+    try:
+        read_head(path, 1)
+        mode = "?mode=ro" if read_only else ""
+        found = sqlite3.connect(f"{path.absolute().as_uri()}{mode}", uri=True, timeout=_BUSY_S)
+        version = found.execute("PRAGMA user_version").fetchone()[0]
+    except OSError as error:
+        raise InputError(path, f"cannot be read: {error.strerror or error}") from error
+    except sqlite3.Error as error:
+        raise _damaged(path, error) from error
+    if version != _VERSION:
+        raise _damaged(path, f"version {version}, expected {_VERSION}")
+    return found
+
+
+def _damaged(path: Path, error: object) -> InputError:
+    return InputError(
+        path,
+        f"is not what a run of this program leaves ({error})",
+        advice="remove it, or begin anew with --overwrite",
+    )
+
+
+def hex_digest(*parts: object) -> str:
+    """SHA-256, in hexadecimal, of bytes, and of the text of anything else; names of files may be no
+    UTF-8."""
+    digest = hashlib.sha256()
+    for part in parts:
+        data = part if isinstance(part, bytes) else str(part).encode("utf-8", "surrogatepass")
+        digest.update(len(data).to_bytes(8, "big"))
+        digest.update(data)
+    return digest.hexdigest()
+
+
+def field_settings(field: Field) -> str:
+    """A field as a term of a run: its words and a digest of all that fits and proposals look at,
+    which is more than distinguishes fields."""
+    looked_at = (
+        field.cameras,
+        [(e.name, e.appearance, e.line_width, e.inside) for e in field.elements],
+        [(m.name, m.position, m.covariance, m.instant, m.surveyed) for m in field.landmarks],
+        sorted(field.instants.items()),
+        field.pixels,
+    )
+    return f"{field.described}, {hex_digest(field_fingerprint(field), repr(looked_at))[:12]}"
+
+
+def stamp_of_file(path: Path) -> str:
+    """Size and time of a file, as a text; empty for none."""
+    try:
+        found = path.stat()
+    except OSError:  # what is not there is told where it is wanted
+        return ""
+    return f"{found.st_size} {found.st_mtime_ns}"

@@ -1,0 +1,222 @@
+"""The cameras of all frames of a match in one ``.npz`` file.
+
+Every array has a row a frame, in the order of the frames. A text column is two arrays: the place of
+each frame's text in ``NAME_values``, and these as UTF-8, divided by line feeds.
+
+| array | shape, dtype | |
+|---|---|---|
+| ``procc_cameras`` | () int64 | version of this layout, 1 |
+| ``frame`` | text | names of the frames, as every command calls them |
+| ``time_s`` | (N,) float64 | from the first frame; NaN without a clock |
+| ``shot`` | text | name of the shot's first frame |
+| ``state`` | text | anchor, followed, bridged or lost; sure or unsure of proposals |
+| ``reason`` | text | what there is to say about that |
+| ``coverage`` | (N,) float32 | share of the visible model on paint, 0 to 1 |
+| ``residual_px`` | (N,) float32 | median distance of that paint from the model |
+| ``probability`` | (N,) float32 | that the camera is right; NaN where that was not estimated |
+| ``anchor_distance`` | (N,) float32 | frames to the nearest known camera; NaN without one |
+| ``size`` | (N, 2) float32 | width and height of the picture, which the px belong to |
+| ``camera`` | (N, 22) float64 | `PARAMETERS`; NaN without a camera |
+| ``covariance`` | (N, K (K + 1) / 2) float32 | lower triangle, of the first parameters of a fit |
+| ``pixel_aspect`` | (N,) float32 | width of a pixel over its height |
+| ``clicks`` | text | SHA-256 of the annotation that the camera was fitted to |
+"""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+from itertools import chain, pairwise
+from typing import Any, Self
+
+import numpy as np
+
+from procc_annotator.arrays import FloatArray
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.errors import CameraError
+from procc_annotator.formats.cameras.fit_record import DIGEST, FIT_KEY, UNCERTAINTY
+from procc_annotator.formats.cameras.loaded_camera import (
+    CameraRecord,
+    CameraRecords,
+    LoadedCamera,
+)
+
+PACKED_SUFFIX = ".npz"
+PARAMETERS = (
+    "pan_rad", "tilt_rad", "roll_rad", "x_m", "y_m", "z_m", "fx_px", "fy_px", "cx_px", "cy_px",
+    "k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2", "s1", "s2", "s3", "s4",
+)  # fmt: skip
+_VERSION, _MARK, _VALUES = 1, "procc_cameras", "_values"
+_MOST_BYTES = 2**30  # once decompressed
+_ADVICE = "it may be cut off: write it again"
+
+Texts = tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class PackedCameras:
+    """The cameras of N frames, by the columns that the module names; texts are tuples."""
+
+    frame: Texts
+    time_s: FloatArray
+    shot: Texts
+    state: Texts
+    reason: Texts
+    coverage: FloatArray
+    residual_px: FloatArray
+    probability: FloatArray
+    anchor_distance: FloatArray
+    size: FloatArray
+    camera: FloatArray
+    covariance: FloatArray
+    pixel_aspect: FloatArray
+    clicks: Texts
+
+    def __len__(self) -> int:
+        return len(self.frame)
+
+    @classmethod
+    def joined(cls, parts: Sequence[PackedCameras]) -> Self:
+        """The frames of several, in their order."""
+        widest = max((part.covariance.shape[1] for part in parts), default=0)
+        wide = [replace(part, covariance=_widened(part.covariance, widest)) for part in parts]
+        columns: dict[str, Any] = {}
+        for name in _KINDS:
+            own = [getattr(part, name) for part in wide]
+            columns[name] = tuple(chain(*own)) if name in _TEXTS else np.concatenate(own)
+        return cls(**columns)
+
+    def rows(self, chosen: slice) -> Self:
+        """Some of the frames."""
+        return type(self)(**{one.name: getattr(self, one.name)[chosen] for one in fields(self)})
+
+    def encoded(self) -> bytes:
+        """As a file."""
+        arrays: dict[str, Any] = {_MARK: np.array(_VERSION)}
+        for name, kind in _KINDS.items():
+            column = getattr(self, name)
+            if name in _TEXTS:
+                values = list(dict.fromkeys(column))
+                place = {value: i for i, value in enumerate(values)}
+                arrays[name] = np.array([place[value] for value in column], np.int32)
+                text = "\n".join(values).encode("utf-8", "surrogateescape")
+                arrays[name + _VALUES] = np.frombuffer(text, np.uint8)
+            else:
+                # Column by column, equal neighbours lie together.
+                arrays[name] = np.asfortranarray(column.astype(kind))
+        buffer = io.BytesIO()
+        np.savez_compressed(buffer, **arrays)
+        return buffer.getvalue()
+
+    def read(self, row: int) -> LoadedCamera | None:
+        """The camera of a row; None without one."""
+        values = self.camera[row].tolist()
+        if not np.isfinite(values).all():
+            return None
+        size = int(self.size[row, 0]), int(self.size[row, 1])
+        parts: list[Any] = [
+            tuple(values[begin:end]) for begin, end in pairwise((3, 6, 8, 10, 16, 18, 22))
+        ]
+        camera = PinholeCamera(*values[:3], *parts)
+        fit: dict[str, Any] = {DIGEST: self.clicks[row]} if self.clicks[row] else {}
+        lower = self.covariance[row]
+        if (lower := lower[np.isfinite(lower)]).size:
+            fit[UNCERTAINTY] = {
+                "size": list(size),
+                "pixel_aspect": float(self.pixel_aspect[row]),
+                "covariance": _symmetric(lower).tolist(),
+            }
+        return LoadedCamera(camera, "pinhole", size, {FIT_KEY: fit} if fit else {})
+
+
+_TEXTS = ("frame", "shot", "state", "reason", "clicks")
+# Shapes of rows: (), or their last axis; None for any.
+_WIDTHS: dict[str, int | None] = {"size": 2, "camera": len(PARAMETERS), "covariance": None}
+_KINDS = {
+    one.name: np.float64 if one.name in ("time_s", "camera") else np.float32
+    for one in fields(PackedCameras)
+}
+
+
+def camera_row(camera: PinholeCamera) -> FloatArray:
+    """`PARAMETERS` of a camera."""
+    pose = camera.pan_rad, camera.tilt_rad, camera.roll_rad, *camera.position_world
+    lens = *camera.radial, *camera.tangential, *camera.thin_prism
+    return np.array((*pose, *camera.focal_px, *camera.principal_point_px, *lens))
+
+
+def lower_triangle(covariance: FloatArray, width: int) -> FloatArray:
+    """(K, K) -> (width,), the rest NaN."""
+    lower = covariance[np.tril_indices(len(covariance))]
+    return np.pad(lower, (0, width - len(lower)), constant_values=np.nan)
+
+
+def _widened(rows: FloatArray, width: int) -> FloatArray:
+    return np.pad(rows, ((0, 0), (0, width - rows.shape[1])), constant_values=np.nan)
+
+
+def _symmetric(lower: FloatArray) -> FloatArray:
+    count = int((np.sqrt(8 * len(lower) + 1) - 1) / 2)
+    full = np.zeros((count, count))
+    full[np.tril_indices(count)] = lower
+    return full + np.tril(full, -1).T
+
+
+def is_packed(data: bytes) -> bool:
+    """Return whether bytes are such a file, whole or damaged: its mark comes first in it."""
+    return data[:2] == b"PK" and data[30 : 30 + len(_MARK)] == _MARK.encode()
+
+
+def read_packed(data: bytes, path: str) -> PackedCameras:
+    """The cameras of a file.
+
+    Raises:
+        CameraError: damaged, or of a newer version.
+    """
+    try:
+        with zipfile.ZipFile(io.BytesIO(data)) as archive:
+            if sum(one.file_size for one in archive.infolist()) > _MOST_BYTES:
+                raise CameraError(path, f"holds more than {_MOST_BYTES} bytes")
+        with np.load(io.BytesIO(data), allow_pickle=False) as arrays:
+            if (version := int(arrays[_MARK])) != _VERSION:
+                why = f"is of version {version} of packed cameras, this program reads {_VERSION}"
+                raise CameraError(path, why, advice="use a newer version of this program")
+            columns = {name: _column(arrays, name) for name in _KINDS}
+    except (zipfile.BadZipFile, KeyError, ValueError, OSError, EOFError, IndexError) as error:
+        raise CameraError(path, f"packed cameras are damaged: {error}", advice=_ADVICE) from error
+    if len({len(column) for column in columns.values()}) != 1:
+        raise CameraError(path, "its columns are of different lengths", advice=_ADVICE)
+    return PackedCameras(**columns)
+
+
+def _column(arrays: Any, name: str) -> Any:
+    column = arrays[name]
+    if name in _TEXTS:
+        text = arrays[name + _VALUES].astype(np.uint8).tobytes()
+        values = text.decode("utf-8", "surrogateescape").split("\n")
+        if column.ndim != 1 or (column < 0).any():
+            raise ValueError(f"{name} is no column of texts")
+        return tuple(values[place] for place in column.tolist())
+    width = _WIDTHS.get(name, 0)
+    if column.ndim != (1 if width == 0 else 2) or (width and column.shape[1] != width):
+        raise ValueError(f"{name} has the shape {column.shape}")
+    return column.astype(np.float64)
+
+
+def packed_records(content: object, path: str) -> CameraRecords | None:
+    """The frames with a camera of decoded content."""
+    if not isinstance(content, PackedCameras):
+        return None
+    cameras = content
+
+    def read(row: Any, path: str, place: str) -> LoadedCamera:
+        loaded = cameras.read(row)
+        if loaded is None:
+            raise CameraError(path, "holds no camera", place=place)
+        return loaded
+
+    there = np.flatnonzero(np.isfinite(cameras.camera).all(axis=1)).tolist()
+    entries = {cameras.frame[i]: (CameraRecord(cameras.frame[i], i),) for i in there}
+    return CameraRecords(path, entries, read)
