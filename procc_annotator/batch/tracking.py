@@ -1,25 +1,42 @@
-"""Track the camera through shots, skipping unusable pictures."""
+"""Find cuts and track the camera through pieces of shots, skipping unusable pictures; the work of
+one unit, wherever it is done."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from pathlib import Path
 from typing import Protocol
 
 import numpy as np
 
-from procc_annotator.batch.execution.executor import InProcess
-from procc_annotator.batch.set_run import SetRun
+from procc_annotator.arrays import FloatArray
+from procc_annotator.batch.camera_proposals import set_pixel_aspect
+from procc_annotator.batch.serialization import serialize
+from procc_annotator.batch.unit_store import hex_digest
+from procc_annotator.calibration.line_alignment.gaussian_state import PARAMETERS_FREE
+from procc_annotator.calibration.single_image.pixel_aspect import SQUARE_PIXELS
 from procc_annotator.calibration.single_image.proposal import KnownPosition
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.camera.base import Camera
-from procc_annotator.dataset.frames import Frame
+from procc_annotator.camera.models import PinholeCamera
+from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.dataset.sequence import PictureSource, find_cuts, open_pictures
 from procc_annotator.errors import ImageError
 from procc_annotator.field.load import field_for_stadium, stadium_of
-from procc_annotator.field.model import Field
+from procc_annotator.field.model import Field, PixelAspect
+from procc_annotator.formats.cameras.packed import (
+    PARAMETERS,
+    PackedCameras,
+    camera_row,
+    lower_triangle,
+)
 from procc_annotator.image.decoding import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
 
+UNREADABLE = "unreadable"  # state of a frame whose picture cannot be used
+TRACK = "track"  # kind of the units of which the store keeps evidence
 _ANY_SHAPE = (90, 160, 4)  # nothing of it will be seen
 
 
@@ -117,53 +134,88 @@ class ShotTracker(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class ShotToTrack:
-    """A shot on its way to a worker.
+class CutUnit:
+    """Consecutive frames of a match in which cuts are looked for."""
 
-    Attributes:
-        first: number of its first frame.
-        frames: all of them.
-        anchors: cameras that are known, by number; px of the pictures.
-        clicks: digests of the annotations that anchors were fitted to, by number.
-        known: where cameras of other shots stand; none: anywhere.
-    """
-
-    first: int
-    frames: tuple[Frame, ...]
-    anchors: Mapping[int, Camera]
-    clicks: Mapping[int, str] = field(default_factory=dict)
-    known: tuple[KnownPosition, ...] = ()
+    match: str
+    pictures: Path
+    stamp: str
+    numbers: range
+    kind: str = "cuts"
 
     @property
-    def name(self) -> str:
-        """Its first and last frame."""
-        if len(self.frames) == 1:
-            return self.frames[0].name
-        return f"{self.frames[0].name} to {self.frames[-1].name}"
+    def frames(self) -> int:
+        """Return how many."""
+        return len(self.numbers)
 
     @property
-    def numbers(self) -> range:
-        """Of its frames."""
-        return range(self.first, self.first + len(self.frames))
+    def key(self) -> str:
+        """See `Unit`."""
+        return f"{self.match}/cuts/{_numbered(self.numbers)}/{self.stamp}"
 
 
 @dataclass(frozen=True, eq=False)
-class TrackedShot:
-    """Result for a shot.
+class PixelUnit:
+    """A match whose pictures may be squeezed: how wide their pixels are."""
+
+    match: str
+    pictures: Path
+    stamp: str
+    field_key: str
+    frames: int = 0
+    kind: str = "pixels"
+
+    @property
+    def key(self) -> str:
+        """See `Unit`."""
+        return f"{self.match}/pixels/{self.stamp}"
+
+
+@dataclass(frozen=True, eq=False)
+class TrackUnit:
+    """A piece of a shot whose camera is followed.
 
     Attributes:
-        first: number of its first frame.
-        frames: by name, in their order.
-        tracked: what became of each.
-        begins: numbers at which, on a closer look, another shot began.
-        damaged: number -> why a picture cannot be used.
+        match: that it is of.
+        pictures: folder or video. stamp: of its content.
+        field_key: of `TrackTask.fields`.
+        numbers: its frames.
+        anchors: cameras that are known, by number; px of the pictures.
+        clicks: digests of the annotations that anchors were fitted to, by number.
+        known: where cameras of other shots stand; none: anywhere.
+        pixels: of the pictures; None as the field says.
     """
 
-    first: int
-    frames: tuple[Frame, ...]
-    tracked: tuple[TrackedFrame, ...]
-    begins: tuple[int, ...] = ()
-    damaged: Mapping[int, str] | None = None
+    match: str
+    pictures: Path
+    stamp: str
+    field_key: str
+    numbers: range
+    anchors: Mapping[int, Camera] = field(default_factory=dict)
+    clicks: Mapping[int, str] = field(default_factory=dict)
+    known: tuple[KnownPosition, ...] = ()
+    pixels: PixelAspect | None = None
+    kind: str = TRACK
+
+    @property
+    def frames(self) -> int:
+        """Return how many."""
+        return len(self.numbers)
+
+    @property
+    def key(self) -> str:
+        """See `Unit`."""
+        given = serialize(
+            [self.stamp, dict(self.anchors), dict(self.clicks), list(self.known), self.pixels]
+        )
+        return f"{self.match}/track/{_numbered(self.numbers)}/{hex_digest(given)[:16]}"
+
+
+TrackingUnit = CutUnit | PixelUnit | TrackUnit
+
+
+def _numbered(numbers: range) -> str:
+    return f"{numbers.start:08d}-{numbers.stop:08d}"
 
 
 def ignore_progress(_: TrackedFrame) -> None:
@@ -171,85 +223,105 @@ def ignore_progress(_: TrackedFrame) -> None:
 
 
 @dataclass(frozen=True, eq=False)
-class TrackShots:
-    """Follows shots one by one.
+class TrackTask:
+    """Does units.
 
     Attributes:
-        field: the elements, metres.
-        follow: follows one.
+        fields: the elements, metres, by what units call them.
+        follow: follows a camera.
         on_frame: called with frames as they are followed, in this process only.
     """
 
-    field: Field
+    fields: Mapping[str, Field]
     follow: ShotTracker
     on_frame: OnFrame = ignore_progress
 
-    def __call__(self, chunk: Sequence[ShotToTrack]) -> tuple[list[TrackedShot], None]:
-        return [self._follow(shot) for shot in chunk], None
+    def __call__(self, unit: TrackingUnit) -> list[int] | PixelAspect | PackedCameras:
+        """The numbers at which shots begin, the pixels of the pictures, or a tracked piece.
 
-    def _follow(self, shot: ShotToTrack) -> TrackedShot:
-        pictures = _pictures_of(shot)
-        anchors = {n: camera for n, camera in shot.anchors.items() if n in shot.numbers}
-        shown = field_for_stadium(self.field, stadium_of(self.field, shot.frames[0].name))
-        found = self.follow(
+        Raises:
+            InputError: a video that cannot be read.
+        """
+        pictures = _opened(unit.pictures)
+        if isinstance(unit, CutUnit):
+            return find_cuts(pictures, unit.numbers)
+        if isinstance(unit, PixelUnit):
+            named = [(frame.name, frame.image_path) for frame in pictures.frames]
+            return set_pixel_aspect(named, self.fields[unit.field_key]) or SQUARE_PIXELS
+        return self._follow(unit, pictures)
+
+    def _follow(self, unit: TrackUnit, source: PictureSource) -> PackedCameras:
+        frames, numbers = source.frames, unit.numbers
+        pictures = UsablePictures(
+            lambda n: decode_for_camera(frames[n].image_path),
+            numbers,
+            lambda n: str(frames[n].image_path),
+        )
+        given = self.fields[unit.field_key]
+        shown = field_for_stadium(given, stadium_of(given, frames[numbers.start].name))
+        shown = replace(shown, pixels=unit.pixels or shown.pixels)
+        track = self.follow(
             pictures,
-            shot.numbers,
+            numbers,
             shown,
-            anchors=anchors,
-            known=shot.known,
+            anchors=unit.anchors,
+            known=unit.known,
             on_frame=self.on_frame,
         )
-        tracked = tuple(
+        tracked = [
             lost_frame(one, pictures.damaged[one.number])
             if one.number in pictures.damaged
-            else replace(one, clicks=shot.clicks.get(one.number, ""))
-            for one in found.frames
-        )
-        begins = tuple(first for first, _ in found.shots if first != shot.first)
-        return TrackedShot(shot.first, shot.frames, tracked, begins, pictures.damaged)
+            else replace(one, clicks=unit.clicks.get(one.number, ""))
+            for one in track.frames
+        ]
+        shots = [frames[first].name for first, last in track.shots for _ in range(first, last + 1)]
+        names = tuple(frames[n].name for n in numbers)
+        cameras = _packed(tracked, names, tuple(shots), source.times_s(numbers))
+        states = zip(cameras.state, numbers, strict=True)
+        state = tuple(UNREADABLE if n in pictures.damaged else own for own, n in states)
+        return replace(cameras, state=state)
 
 
-def damaged_pictures(shot: ShotToTrack, lost: Collection[str]) -> list[str]:
-    """Why pictures of a shot that was followed before cannot be used, one line each.
-
-    Args:
-        shot: all of it.
-        lost: names of its frames that have no camera.
-    """
-    if not lost:
-        return []
-    pictures = _pictures_of(shot)
-    pictures(shot.first)  # says of which size the others are
-    for number, frame in zip(shot.numbers, shot.frames, strict=True):
-        if frame.name in lost:
-            pictures(number)
-    return list(pictures.damaged.values())
+@lru_cache(maxsize=2)
+def _opened(path: Path) -> PictureSource:
+    return open_pictures(path)
 
 
-def _pictures_of(shot: ShotToTrack) -> UsablePictures:
-    paths = {n: frame.image_path for n, frame in zip(shot.numbers, shot.frames, strict=True)}
-    return UsablePictures(
-        lambda n: decode_for_camera(paths[n]), shot.numbers, lambda n: str(paths[n])
+# Lower triangle of the covariance of the 8 free parameters of a tracked camera.
+_COVARIANCE = PARAMETERS_FREE * (PARAMETERS_FREE + 1) // 2
+
+
+def _packed(
+    tracked: Sequence[TrackedFrame], names: tuple[str, ...], shots: tuple[str, ...],
+    times_s: FloatArray,
+) -> PackedCameras:  # fmt: skip
+    cameras = np.full((len(tracked), len(PARAMETERS)), np.nan)
+    covariances = np.full((len(tracked), _COVARIANCE), np.nan)
+    sizes, aspects = np.zeros((len(tracked), 2)), np.ones(len(tracked))
+    for row, one in enumerate(tracked):
+        if one.fit is None or not isinstance(one.fit.camera, PinholeCamera):
+            continue
+        cameras[row], sizes[row] = camera_row(one.fit.camera), one.fit.size
+        aspects[row] = one.fit.pixel_aspect
+        if one.fit.covariance is not None:
+            covariances[row] = lower_triangle(one.fit.covariance, _COVARIANCE)
+
+    def numbers(values: Iterable[float | None]) -> FloatArray:
+        return np.array([np.nan if value is None else value for value in values])
+
+    return PackedCameras(
+        names,
+        times_s,
+        shots,
+        tuple(one.state for one in tracked),
+        tuple(str(review_reason(one)) for one in tracked),
+        numbers(one.coverage for one in tracked),
+        numbers(one.residual_px for one in tracked),
+        np.full(len(tracked), np.nan),
+        numbers(one.anchor_distance for one in tracked),
+        sizes,
+        cameras,
+        covariances,
+        aspects,
+        tuple(one.clicks for one in tracked),
     )
-
-
-class TrackRun(SetRun[ShotToTrack, TrackedShot, None]):
-    """One pass over shots; iterate it once."""
-
-    chunk = 1
-    task: TrackShots
-
-    def __init__(self, shots: Sequence[ShotToTrack], field: Field, follow: ShotTracker) -> None:
-        super().__init__(shots, TrackShots(field, follow))
-
-    @property
-    def frame_count(self) -> int:
-        """Frames of all shots."""
-        return sum(len(shot.frames) for shot in self.frames)
-
-    def tell(self, on_frame: OnFrame) -> bool:
-        """Report frames as they are followed; whether they are, which other processes cannot."""
-        here = isinstance(self.executor, InProcess)
-        if here:
-            self.task = replace(self.task, on_frame=on_frame)
-        return here

@@ -13,7 +13,7 @@ import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 
@@ -69,6 +69,19 @@ class Unit:
     evidence: float | None = None
     error: str = ""
     changed: float = 0.0
+
+
+class MatchUnits(NamedTuple):
+    """The units of a match in one state: how many, the frames and mean evidence of those that have
+    any, seconds of work, and when the last one changed."""
+
+    match: str
+    state: str
+    units: int
+    frames: int
+    seconds: float
+    evidence: float | None
+    changed: float
 
 
 _COLUMNS = tuple(field.name for field in fields(Unit))
@@ -144,14 +157,17 @@ class UnitStore:
         order = f"SELECT {', '.join(_COLUMNS)} FROM units WHERE state = ? ORDER BY match, key"
         return (Unit(*row) for row in self._rows(order, state))
 
-    def matches(self) -> list[tuple[str, str, int, int, float, float | None, float]]:
-        """Match, state, units, frames, seconds of work, mean evidence and when the last unit of
-        these changed."""
-        return self._rows(
-            "SELECT match, state, COUNT(*), SUM(frames), SUM(seconds),"
-            " SUM(evidence * frames) / SUM(CASE WHEN evidence IS NULL THEN 0 ELSE frames END),"
-            " MAX(changed) FROM units GROUP BY match, state ORDER BY match, state"
-        )
+    def matches(self) -> list[MatchUnits]:
+        """The units of matches, by match and state."""
+        return [
+            MatchUnits(*row)
+            for row in self._rows(
+                "SELECT match, state, COUNT(*),"
+                " SUM(CASE WHEN evidence IS NULL THEN 0 ELSE frames END), SUM(seconds),"
+                " SUM(evidence * frames) / SUM(CASE WHEN evidence IS NULL THEN 0 ELSE frames END),"
+                " MAX(changed) FROM units GROUP BY match, state ORDER BY match, state"
+            )
+        ]
 
     def add(self, key: str, result: Any, **about: Any) -> None:
         """Keep what came of a unit, before anything is said of it.
@@ -170,13 +186,16 @@ class UnitStore:
         state = WAITING if unit.tries < MOST_TRIES else FAILED
         self._put(replace(unit, state=state, changed=time.time()), None)
 
-    def forget(self, match: str) -> None:
-        """Drop the results of a match whose files are written; its units stay."""
-        self._write("UPDATE units SET result = NULL WHERE match = ?", match)
+    def forget(self, match: str, kind: str) -> None:
+        """Drop the results of a match whose file is written; its units stay."""
+        self._write("UPDATE units SET result = NULL WHERE match = ? AND kind = ?", match, kind)
 
-    def remove(self, where: str, *values: object) -> None:
-        """Units that are to be done again."""
-        self._write(f"DELETE FROM units WHERE {where}", *values)
+    def restart(self, *, failed: bool = False, evidence_below: float | None = None) -> None:
+        """Units are to be done again: those that were set aside, or with less evidence."""
+        if failed:
+            self._write("DELETE FROM units WHERE state IN (?, ?)", FAILED, WAITING)
+        if evidence_below is not None:
+            self._write("DELETE FROM units WHERE evidence < ?", evidence_below)
 
     def finish(self) -> None:
         """All is written: nothing is left to go on with.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -16,10 +17,12 @@ from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
+from procc_annotator.cli.matches import for_each_match, place_of_match
 from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.diagnostics import found_instead_of_cameras
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.layout import annotation_folder, folder_of_dataset, holds_annotations
+from procc_annotator.dataset.season import Match
 from procc_annotator.dataset.sequence import PictureSource, open_pictures
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.formats.atomic import make_folder
@@ -32,11 +35,12 @@ from procc_annotator.report.auto_annotation import Annotated as Done
 from procc_annotator.report.auto_annotation import annotate_pictures
 
 HELP = """\
-SOURCE is a folder of pictures, one picture, or a video, whose frames are named as the window names
-them (match_000123). Every element that a frame's camera shows is looked for in the picture; those
-whose paint is seen become an annotation in OUT, FRAME.json, SoccerNet JSON. OUT may be where the
-window looks for annotations: match/annotations (or match itself, where they lie beside the
-pictures), or match_frames beside match.mp4.
+SOURCE is a folder of pictures, one picture, a video, whose frames are named as the window names
+them (match_000123), or a season (see track); cameras and OUT then have a folder or file a match.
+Every element that a frame's camera shows is looked for in the picture; those whose paint is seen
+become an annotation in OUT, FRAME.json, SoccerNet JSON. OUT may be where the window looks for
+annotations: match/annotations (or match itself, where they lie beside the pictures), or
+match_frames beside match.mp4.
 
 Cameras whose files name no picture size are taken for 960x540, the official evaluation's, unless
 --camera-size says otherwise.
@@ -79,6 +83,32 @@ def annotate(
 ) -> None:
     if not cameras.exists():
         raise UsageError(f"{cameras}: does not exist")
+
+    def of_match(match: Match | None) -> None:
+        own = given if match is None else replace(given, field=match.field or given.field)
+        if match is None:
+            places = source, out, cameras
+        elif (theirs := place_of_match(cameras, match)) is not None:
+            places = match.pictures, out / match.name, theirs
+        else:
+            raise UsageError(f"no cameras called {match.name} in {cameras}")
+        _annotate(*places, own, every, views, camera_format, camera_size, workers, dask)
+
+    for_each_match(source, of_match)
+
+
+def _annotate(
+    source: Path,
+    out: Path,
+    cameras: Path,
+    given: options.FieldOptions,
+    every: int,
+    views: int | None,
+    camera_format: str,
+    camera_size: str | None,
+    workers: int | None,
+    dask: str | None,
+) -> None:
     shown = given.of(source)
     pictures = open_pictures(source, out)
     remarks.report_remarks(pictures.notices)

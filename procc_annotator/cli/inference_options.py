@@ -150,7 +150,7 @@ Shots = Annotated[
         "--shots",
         metavar="FILE.csv",
         help="Which frames follow each other: columns 'frame', 'shot' and perhaps 'number'."
-        "  [default: frames.csv of the dataset, track.csv beside the cameras, else by the names of"
+        "  [default: frames.csv of the dataset, the shots of tracked cameras, else by the names of"
         " the frames]",
     ),
 ]

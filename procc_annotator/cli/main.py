@@ -187,7 +187,8 @@ COMMANDS = (
         "calibrate", "Fit a camera to the annotation of every frame; pictures are not looked at."
     ),
     LazyCommand("propose", "Find the cameras of pictures from the paint in them, without a click."),
-    LazyCommand("track", "Follow the cameras of a video, or of consecutive pictures."),
+    LazyCommand("track", "Follow the cameras of a video, a season, or consecutive pictures."),
+    LazyCommand("status", "Show how far track is with a season."),
     LazyCommand("annotate", "Annotate pictures by the paint that given cameras lead to."),
     LazyCommand(
         "check",

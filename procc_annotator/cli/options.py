@@ -31,9 +31,10 @@ T = TypeVar("T")
 
 AUTO_ASPECT = "auto"
 CAMERA_FORMAT_NAMES = (
-    "soccernet", "tvcalib", "opencv", "broadtrack", "deepsportradar", "synloc", "opentrackio",
-    "fifa", "pose2sim", "panoptic", "vggt", "krt", "polylines", "projection", "transforms",
-    "sccvsd", "ptz-slam", "qualisys", "table", "wc14", "carwc", "world", "colmap", "easymocap",
+    "soccernet", "tvcalib", "opencv", "packed", "broadtrack", "deepsportradar", "synloc",
+    "opentrackio", "fifa", "pose2sim", "panoptic", "vggt", "krt", "polylines", "projection",
+    "transforms", "sccvsd", "ptz-slam", "qualisys", "table", "wc14", "carwc", "world", "colmap",
+    "easymocap",
 )  # fmt: skip
 
 

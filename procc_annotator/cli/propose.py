@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -24,9 +24,11 @@ from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
+from procc_annotator.cli.matches import for_each_match, place_of_match
 from procc_annotator.cli.resuming import is_resuming, resumable
 from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.frames import Frame
+from procc_annotator.dataset.season import Match
 from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
@@ -43,9 +45,10 @@ from procc_annotator.report.camera_proposals import (
 )
 
 HELP = """\
-DATASET is a folder of pictures, one picture, or a video, whose frames are named as the window names
-them (match_000123). Nobody has to click: the camera is found from the paint in the picture. Frames
-that are annotated are passed over, unless --all.
+DATASET is a folder of pictures, one picture, a video, whose frames are named as the window names
+them (match_000123), or a season (see track): OUT then has a folder a match. Nobody has to click:
+the camera is found from the paint in the picture. Frames that are annotated are passed over, unless
+--all.
 
 OUT gets camera_FRAME.json for the sure ones, SoccerNet JSON in px of the picture; those that are
 not sure go to OUT/unsure. proposals.csv has a row a frame: state (sure, unsure, none), the
@@ -138,6 +141,25 @@ class ProposeOptions:
 
 
 def propose(given: ProposeOptions) -> None:
+    def of_match(match: Match | None) -> None:
+        if match is None:
+            _propose(given)
+            return
+        field = replace(given.field_options, field=match.field or given.field_options.field)
+        _propose(
+            replace(
+                given,
+                dataset=match.pictures,
+                out=given.out / match.name,
+                annotations=place_of_match(given.annotations, match),
+                field_options=field,
+            )
+        )
+
+    for_each_match(given.dataset, of_match)
+
+
+def _propose(given: ProposeOptions) -> None:
     for place in (given.annotations, given.known):
         if place is not None and not place.exists():
             raise UsageError(f"{place}: does not exist")

@@ -33,8 +33,6 @@ from procc_annotator.report.temporal import (
     terminal_tables,
 )
 
-_TRACK_FILE = "track.csv"
-
 
 @dataclass(frozen=True)
 class TemporalRequest:
@@ -81,27 +79,30 @@ class TemporalRequest:
         names = frames_of_all(annotated, (one.cameras.frames for one in sources))
         pictures: dict[str, Path] = {}
         ranges: list[range] = []
-        table = self._table(sources)
+        table = self._table(first)
+        tracked = next((one.cameras.shots for one in sources if one.cameras.shots), None)
         if self.pictures is not None:
             source = open_pictures(self.pictures)
             pictures = {frame.name: frame.image_path for frame in source.frames}
-            if table is None:
+            if table is None and tracked is None:
                 with progress_bar("looking for cuts") as progress:
                     ranges = find_shots(source, progress)
         if table is not None:
             order = FrameOrder.read(table)
             return order.shots_of(names | dict.fromkeys(pictures)), f"by {order.told_by}", pictures
+        if tracked is not None:
+            order = FrameOrder("the track", tracked, {name: i for i, name in enumerate(tracked)})
+            return order.shots_of(names | dict.fromkeys(tracked)), "by the track", pictures
         if ranges:
             return shots_from(ranges, list(pictures)), "by the cuts of the pictures", pictures
         return shots_by_name(names), "by the names of frames", pictures
 
-    def _table(self, sources: Sequence[EvaluationRequest]) -> Path | None:
+    def _table(self, first: EvaluationRequest) -> Path | None:
         if self.shots is not None:
             return self.shots
-        folder = folder_of_dataset(sources[0].annotations.path)
-        beside = [] if folder is None else [folder / FRAMES_FILE]
-        beside += [one.cameras.path / _TRACK_FILE for one in sources if one.cameras.path.is_dir()]
-        return next((path for path in beside if path.is_file()), None)
+        folder = folder_of_dataset(first.annotations.path)
+        beside = None if folder is None else folder / FRAMES_FILE
+        return beside if beside is not None and beside.is_file() else None
 
     def entries(self, found: Sequence[TemporalMetrics]) -> dict[str, Any]:
         """All metrics, for a file."""

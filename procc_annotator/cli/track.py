@@ -1,59 +1,68 @@
-"""``procc-annotator track``: the camera of every frame of a video."""
+"""``procc-annotator track``: the camera of every frame of a video, or of the videos of a season."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import replace
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
+import numpy as np
 import typer
 
 from procc_annotator.assist.track_anchors import TrackAnchors
-from procc_annotator.batch.execution.executor import Executor, make_executor
-from procc_annotator.batch.tracking import ShotToTrack, TrackRun, damaged_pictures
-from procc_annotator.calibration.single_image.candidates import warm_up_caches
+from procc_annotator.batch.execution.executor import InProcess, make_executor
+from procc_annotator.batch.match_tracking import (
+    MatchToTrack,
+    TrackedMatch,
+    find_positions,
+    track_match,
+)
+from procc_annotator.batch.season_run import Attempt, Plan, SeasonRun
+from procc_annotator.batch.tracking import TRACK, UNREADABLE, TrackTask, TrackUnit
+from procc_annotator.batch.unit_store import FAILED, UnitStore, field_settings, hex_digest
+from procc_annotator.calibration.single_image.proposal import KnownPosition
 from procc_annotator.calibration.tracking.shot_tracker import track_shot as follow_shot
+from procc_annotator.calibration.tracking.track import MIN_COVERAGE, TrackedFrame
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.dataset.annotation_source import FrameAnnotations
-from procc_annotator.dataset.picture_sizes import picture_size
-from procc_annotator.dataset.sequence import PictureSource, find_shots, open_pictures
-from procc_annotator.errors import ImageError, InputError, UsageError
-from procc_annotator.field.load import field_for_stadium, stadium_of
+from procc_annotator.cli.matches import place_of_match
+from procc_annotator.dataset.season import Match, list_matches
+from procc_annotator.dataset.sequence import PictureSource, open_pictures
+from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
+from procc_annotator.formats.atomic import make_folder, write_atomic
 from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX, PackedCameras, read_packed
+from procc_annotator.formats.file_source import read_file
 from procc_annotator.messages import pluralize
-from procc_annotator.report.outputs import Interrupted
-from procc_annotator.report.tracking import (
-    TABLE_FILE,
-    TrackTable,
-    find_positions,
-    gaps_table,
-    read_table,
-    shots_table,
-    tracked_words,
-    write_tracks,
-)
+from procc_annotator.report.tracking import gaps_table, season_table, shots_table, tracked_words
+
+STORE_FILE = "track.sqlite"
 
 HELP = """\
-SOURCE is a video, whose frames are named as the window names them (match_000123), or a folder of
-consecutive pictures. It is cut into its shots; in each the camera is followed forwards and
-backwards from the frames whose camera is known: annotated ones (--annotations) and those of files
-(--cameras). The track passes through them. Where none is known, one is found in the picture, as
-propose does; shots in which none is found are looked at once more for one that stands where those
-of the other shots do.
+SOURCE is a video, whose frames are named as the window names them (match_000123), a folder of
+consecutive pictures, or a season: a folder in which videos lie, or a .csv with a row a match:
+video, match, stadium, field, start (all but the first may be absent). Each is cut into its shots,
+these into pieces of at most a minute; in each the camera is followed forwards and backwards from
+the frames whose camera is known: annotated ones (--annotations) and those of files (--cameras), of
+a season from folders called like the matches. The track passes through them. Where none is known,
+one is found in the picture, as propose does. Pieces of a shot hand their cameras on to each other;
+where none is found, one is looked for where those of the match's other shots stand, or those of
+earlier matches in the stadium.
 
-OUT gets camera_FRAME.json for every frame that is followed, SoccerNet JSON in px of the picture,
-and track.csv, a row a frame: shot (its first frame), state (anchor; followed on paint; bridged by
-the picture's motion, where too little paint is seen; lost), the reason, coverage (share of the
-visible model on paint), residual in px, standard deviations, frames to the nearest anchor.
+OUT gets MATCH.npz, which every command reads as cameras: of each frame the camera in px of the
+picture with its standard deviations, its shot, state (anchor; followed on paint; bridged by the
+picture's motion, where too little paint is seen; lost), why it should be looked at, coverage (share
+of the visible model on paint), residual in px, frames to the nearest anchor (docs/season.md).
+convert writes a file a frame from it.
 
-Cameras are written as they come, and once more when their shot is done, refined over all of it; its
-rows come with that. A run that was interrupted is started again to go on: shots whose frames all
-have a row are not followed again, unless they have new anchors, or --overwrite.
+OUT/track.sqlite says which pieces are done: a run that was stopped or killed is started again to go
+on, with other workers too. A piece that failed three times is set aside and named; --only failed
+tries those again, --only doubtful those with little of their lines on paint.
 
 --from FRAME follows only the shot of that frame (its name or number), in both directions.
 
@@ -62,11 +71,13 @@ nothing to do. A frame that is lost is no error.
 """
 
 EXAMPLE = """\
-  procc-annotator track match.mp4 tracked/
-  procc-annotator track match.mp4 tracked/ --annotations match_frames/ --from match_000123
+  procc-annotator track match.mp4 tracked/ --annotations match_frames/
+  procc-annotator track season/ tracked/ --workers 8
 """
 
-Source = Annotated[Path, typer.Argument(help="Video, or folder of consecutive pictures.")]
+Source = Annotated[
+    Path, typer.Argument(help="Video, folder of consecutive pictures or of videos, or a list.")
+]
 Out = Annotated[Path, typer.Argument(help="Folder to write the cameras to.")]
 Annotations = Annotated[
     Path | None,
@@ -88,7 +99,16 @@ From = Annotated[
     str | None, typer.Option("--from", metavar="FRAME", help="Follow only the shot of this frame.")
 ]
 Workers = Annotated[
-    int, typer.Option("--workers", min=1, metavar="N", help="Processes that share the shots.")
+    int | None,
+    typer.Option("--workers", min=1, metavar="N", help="Processes that share the work."),
+]
+Progress = Callable[[int, int], None]
+ONLY = ("missing", "failed", "doubtful")
+Only = Annotated[
+    str,
+    typer.Option(
+        metavar="|".join(ONLY), help="Which pieces: missing ones, or those also that failed or ..."
+    ),
 ]
 Overwrite = Annotated[
     bool, typer.Option("--overwrite", help="Follow again what OUT has a track of.")
@@ -104,181 +124,277 @@ def track(
     begin: From = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
-    workers: Workers = 1,
+    workers: Workers = None,
+    dask: options.Dask = None,
+    only: Only = "missing",
     overwrite: Overwrite = False,
 ) -> None:
+    if only not in ONLY:
+        raise UsageError(f"--only {only}: expected {', '.join(ONLY)}")
     for given in (annotations, cameras):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
-    shown = field_options.of(source)
-    names = field_options.names(shown)
-    pictures = open_pictures(source, annotations)
-    remarks.report_remarks(pictures.notices)
-    shown = options.with_estimated_pixels(
-        shown, [(frame.name, frame.image_path) for frame in pictures.frames]
-    )
-    start = None if begin is None else _number_of(begin, pictures)
-    called = tuple(frame.name for frame in pictures.frames)
+    season = list_matches(source)
+    matches = season or (Match(source.stem if source.is_file() else source.name, source),)
+    if season and begin is not None:
+        raise UsageError("--from is for the frames of one video")
     outputs.check_camera_folder(out, [source, annotations, cameras])
-    table = _table(out, called, overwrite=overwrite)
-    size = options.shown_size(camera_size)
-    clicked = None if annotations is None else pictures.annotated(annotations, shown, names)
-    anchors = _anchors(pictures, shown, clicked, cameras, camera_format, size)
-    places = [str(given) for given in (annotations, cameras) if given is not None]
-    if places and not anchors.cameras:
-        echo(f"note: no frame here has a camera in {' and '.join(places)}", err=True)
-    with ThreadPoolExecutor(1, thread_name_prefix="preparing") as aside:
-        prepared = None
-        if workers == 1 and not anchors.cameras and (overwrite or not table.rows):
-            prepared = aside.submit(_prepare, pictures, shown)
-        shots = _shots(pictures, anchors, start)
-    if prepared is not None:
-        prepared.result()
-    for shot in shots:
-        if overwrite or _has_new_anchors(shot, table):
-            table.forget(shot.frames)
-    kept = [shot for shot in shots if table.has_all(shot.frames)]
-    for shot in kept:
-        table.errors += damaged_pictures(shot, table.lost(shot.frames))
-    try:
-        with make_executor(workers) as executor:
-            new = [shot for shot in shots if shot not in kept]
-            _track_shots(new, shown, executor, out, table, "following")
-            # Of a run that goes on, also those that it lost before it was stopped.
-            again = _shots_to_retry(shots if new else [], out, table)
-            for shot in again:  # until it was followed again, nothing is known of it
-                table.forget(shot.frames)
-            _track_shots(again, shown, executor, out, table, "looking where other shots stand")
-    except Interrupted as stopped:
-        raise KeyboardInterrupt(_interrupted_message(stopped, out)) from None
-    raise typer.Exit(_report(table, [*pictures.problems, *anchors.errors], len(kept), out))
-
-
-def _track_shots(
-    shots: Sequence[ShotToTrack],
-    shown: Field,
-    executor: Executor,
-    out: Path,
-    table: TrackTable,
-    label: str,
-) -> None:
-    run = TrackRun(shots, shown, follow_shot)
-    run.executor = executor
-    with progress_bar(label) as progress:
-        write_tracks(run, out, table, progress)
-
-
-def _has_new_anchors(shot: ShotToTrack, table: TrackTable) -> bool:
-    """Return whether a shot that was followed before has anchors that it had not then."""
-    names = (shot.frames[number - shot.first].name for number in shot.anchors)
-    return any(row["state"] != "anchor" for name in names if (row := table.rows.get(name)))
-
-
-def _shots_to_retry(
-    shots: Sequence[ShotToTrack], out: Path, table: TrackTable
-) -> list[ShotToTrack]:
-    """Shots in which no camera was found, with where those of the others stand."""
-    nothing = [shot for shot in shots if len(table.lost(shot.frames)) == len(shot.frames)]
-    places = find_positions(out, table) if nothing else ()
-    return [replace(shot, known=places) for shot in nothing] if places else []
-
-
-def _number_of(text: str, pictures: PictureSource) -> int:
-    for number, frame in enumerate(pictures.frames):
-        if frame.name == text:
-            return number
-    if text.isascii() and text.isdigit() and int(text) < len(pictures.frames):
-        return int(text)
-    last = len(pictures.frames) - 1
-    raise UsageError(
-        f"--from {text}: there is no such frame (they are called"
-        f" {pictures.frames[0].name} to {pictures.frames[-1].name}, numbers 0 to {last})"
+    known = _Anchors(
+        annotations, cameras, camera_format, options.shown_size(camera_size), bool(season)
     )
+    tracking = _Tracking(matches, out, field_options, known, begin)
+    store_file = out / STORE_FILE
+    if not overwrite:
+        _require_free(out, matches, store_file)
+    with (
+        UnitStore(store_file, tracking.terms, resume=not overwrite) as store,
+        make_executor(workers or (None if dask else 1), dask) as executor,
+        progress_bar("following") as progress,
+    ):
+        store.restart(
+            failed=only == "failed", evidence_below=MIN_COVERAGE if only == "doubtful" else None
+        )
+        told = isinstance(executor, InProcess)
+        task = TrackTask(
+            tracking.fields, follow_shot, tracking.on_frame(progress) if told else _ignore
+        )
+        run = SeasonRun[TrackedMatch](
+            task, store, executor, _evidence, partial(tracking.attempted, progress, told)
+        )
+        try:
+            stadiums = {match.name: match.stadium for match in matches}
+            for name, found in run.run(stadiums, tracking.begin, tracking.recover):
+                tracking.write(name, found)
+                store.forget(name, TRACK)
+        except KeyboardInterrupt:
+            raise KeyboardInterrupt(
+                f"{pluralize(len(store), 'unit')} of the work are kept in {store_file}; run it"
+                " again to go on"
+            ) from None
+        problems = tracking.problems + [
+            f"set aside: {unit.key}: {unit.error}" for unit in store.units(FAILED)
+        ]
+        if season:
+            stdout_console().print(season_table(store))
+    raise typer.Exit(remarks.report_unreadable(problems))
 
 
-def _table(out: Path, names: tuple[str, ...], *, overwrite: bool) -> TrackTable:
-    """The table in OUT; a new one in place of one of something else. UsageError if OUT holds
-    cameras without a table."""
-    if not overwrite and not (out / TABLE_FILE).exists() and outputs.holds_cameras(out, names):
+def _ignore(_: TrackedFrame) -> None:
+    """No one asks."""
+
+
+def _evidence(result: Any) -> float | None:
+    """Mean coverage of a piece; frames without a camera count as 0."""
+    if not isinstance(result, PackedCameras):
+        return None
+    return float(np.nan_to_num(result.coverage).mean())
+
+
+def _require_free(out: Path, matches: tuple[Match, ...], store_file: Path) -> None:
+    """UsageError where OUT holds cameras that no run of this command left."""
+    if store_file.exists():
+        return
+    names = [match.name for match in matches]
+    packed = any((out / f"{name}{PACKED_SUFFIX}").exists() for name in names)
+    if packed or outputs.holds_cameras(out, names):
         raise UsageError(
-            f"{out}: holds cameras but no {TABLE_FILE}; choose another place, or --overwrite to"
+            f"{out}: holds cameras but no {STORE_FILE}; choose another place, or --overwrite to"
             " replace them"
         )
-    try:
-        return read_table(out, names)
-    except InputError:
-        if not overwrite:
-            raise
-        return TrackTable(names)
 
 
-def _anchors(
-    pictures: PictureSource,
-    field: Field,
-    clicked: FrameAnnotations | None,
-    cameras: Path | None,
-    camera_format: str,
-    camera_size: tuple[int, int] | None,
-) -> TrackAnchors:
-    found = TrackAnchors()
-    if clicked is not None:
-        remarks.report_remarks(clicked.notices)
-        found.add_annotated(pictures.frames, clicked, field)
-    if cameras is not None:
-        with CameraCollection.open(cameras, camera_format, field=field) as collection:
-            remarks.report_remarks(collection.notices)
-            found.add_cameras(pictures.frames, collection, camera_size)
-    remarks.report_remarks(found.remarks)
-    return found
+@dataclass(frozen=True)
+class _Anchors:
+    """Where cameras that are known beforehand are found; those of a season in folders called like
+    its matches."""
+
+    annotations: Path | None
+    cameras: Path | None
+    camera_format: str
+    camera_size: tuple[int, int] | None
+    by_match: bool
+
+    def place(self, root: Path | None, match: Match) -> Path | None:
+        """Return where those of a match are, if there are any."""
+        return place_of_match(root, match) if self.by_match else root
+
+    def of(
+        self, match: Match, pictures: PictureSource, shown: Field, given: options.FieldOptions
+    ) -> TrackAnchors:
+        """The anchors of a match; remarks on them are told."""
+        found = TrackAnchors()
+        annotations = self.place(self.annotations, match)
+        cameras = self.place(self.cameras, match)
+        if annotations is not None:
+            clicked = pictures.annotated(annotations, shown, given.names(shown))
+            remarks.report_remarks(clicked.notices)
+            found.add_annotated(pictures.frames, clicked, shown)
+        if cameras is not None:
+            with CameraCollection.open(cameras, self.camera_format, field=shown) as collection:
+                remarks.report_remarks(collection.notices)
+                found.add_cameras(pictures.frames, collection, self.camera_size)
+        remarks.report_remarks(found.remarks)
+        places = [str(one) for one in (annotations, cameras) if one is not None]
+        if places and not found.cameras:
+            echo(f"note: no frame here has a camera in {' and '.join(places)}", err=True)
+        return found
 
 
-def _prepare(pictures: PictureSource, shown: Field) -> None:
-    """Work out what the search for a first camera looks up."""
-    first = pictures.frames[0]
-    try:
-        size = picture_size(first.image_path)
-    except ImageError:  # told when its shot is followed
-        return
-    warm_up_caches(field_for_stadium(shown, stadium_of(shown, first.name)), size)
+class _Tracking:
+    """What is known of the matches of a run, and what was written.
+
+    Attributes:
+        fields: the elements, by the names of matches.
+        problems: what was unreadable, one line each.
+    """
+
+    def __init__(
+        self,
+        matches: tuple[Match, ...],
+        out: Path,
+        given: options.PictureFieldOptions,
+        anchors: _Anchors,
+        start: str | None,
+    ) -> None:
+        self._matches = {match.name: match for match in matches}
+        self._out, self._given, self._anchors, self._start = out, given, anchors, start
+        self.fields = {
+            match.name: options.chosen_field(
+                match.field or given.field,
+                match.pictures,
+                lines=given.lines,
+                pixel_aspect=given.pixel_aspect,
+            )
+            for match in matches
+        }
+        self.problems: list[str] = []
+        self._names: dict[str, tuple[str, ...]] = {}  # of the frames of matches under way
+        self._known: dict[str, tuple[KnownPosition, ...]] = {}  # by stadium
+        self._frames = 0  # that were followed
+
+    @property
+    def terms(self) -> dict[str, str]:
+        """What the run was asked for, see `UnitStore`."""
+        fields = {field_settings(field): None for field in self.fields.values()}
+        return {"field": next(iter(fields)) if len(fields) == 1 else hex_digest(*fields)[:12]}
+
+    def path(self, name: str) -> Path:
+        """The file of a match."""
+        return self._out / f"{name}{PACKED_SUFFIX}"
+
+    def begin(self, name: str) -> Plan[TrackedMatch]:
+        """The plan of a match."""
+        match, shown = self._matches[name], self.fields[name]
+        annotations = self._anchors.place(self._anchors.annotations, match)
+        pictures = open_pictures(match.pictures, annotations)
+        remarks.report_remarks(pictures.notices)
+        self.problems += pictures.problems
+        anchors = self._anchors.of(match, pictures, shown, self._given)
+        self.problems += anchors.errors
+        self._names[name] = names = tuple(frame.name for frame in pictures.frames)
+        return track_match(
+            MatchToTrack(
+                name, pictures.path.absolute(), pictures.stamp(), shown, name, names,
+                anchors.cameras, anchors.clicks,
+                self._known.get(match.stadium, ()) if match.stadium else (),
+                only=None if self._start is None else _number_of(self._start, names),
+            )
+        )  # fmt: skip
+
+    def recover(self, unit: Any) -> PackedCameras | None:
+        """A piece that was followed before, from the file of its match."""
+        if not isinstance(unit, TrackUnit) or (there := self._written(unit.match)) is None:
+            return None
+        names = self._names[unit.match][unit.numbers.start : unit.numbers.stop]
+        if names[0] not in there.frame:
+            return None
+        first = there.frame.index(names[0])
+        rows = there.rows(range(first, min(first + len(names), len(there))))
+        return rows if rows.frame == names else None
+
+    def _written(self, name: str) -> PackedCameras | None:
+        path = self.path(name)
+        return read_packed(read_file(path), str(path)) if path.exists() else None
+
+    def write(self, name: str, found: TrackedMatch) -> None:
+        """Write what a match came to, with the shots that were followed before."""
+        cameras, before = found.cameras, self._written(name)
+        if before is not None and len(cameras) < len(self._names[name]):
+            cameras = cameras.merged(before, self._names[name])
+        make_folder(self.path(name).parent)
+        write_atomic(self.path(name), cameras.encoded())
+        match = self._matches[name]
+        if match.stadium:
+            places = find_positions([cameras])
+            self._known[match.stadium] = places or self._known.get(match.stadium, ())
+        self.problems += [
+            reason
+            for state, reason in zip(cameras.state, cameras.reason, strict=True)
+            if state == UNREADABLE
+        ]
+        _report(name, cameras, found.jumps, self.path(name), alone=len(self._matches) == 1)
+        del self._names[name]
+
+    def on_frame(self, progress: Progress) -> Callable[[TrackedFrame], None]:
+        """Tells of frames as they are followed, in this process."""
+
+        def followed(_: TrackedFrame) -> None:
+            self._frames += 1
+            progress(min(self._frames, self._total), self._total)
+
+        return followed
+
+    def attempted(self, progress: Progress, told: bool, attempt: Attempt) -> None:
+        """Tell of a unit that was tried."""
+        unit = attempt.unit
+        if not told and unit.kind == TRACK:
+            self._frames += unit.frames
+            progress(min(self._frames, self._total), self._total)
+        if attempt.error or not sys.stderr.isatty():
+            what = attempt.error or f"{unit.frames} frames in {attempt.seconds:.1f} s"
+            echo(f"{unit.match}: {unit.kind} {unit.key.split('/')[-1]}: {what}", err=True)
+
+    @property
+    def _total(self) -> int:
+        return sum(map(len, self._names.values()))
 
 
-def _shots(pictures: PictureSource, anchors: TrackAnchors, start: int | None) -> list[ShotToTrack]:
-    with progress_bar("looking for cuts") as progress:
-        ranges = find_shots(pictures, progress)
-    if start is not None:
-        ranges = [own for own in ranges if start in own]
-    return [
-        ShotToTrack(
-            own[0],
-            pictures.frames[own[0] : own[-1] + 1],
-            {n: camera for n, camera in anchors.cameras.items() if n in own},
-            {n: clicks for n, clicks in anchors.clicks.items() if n in own},
-        )
-        for own in ranges
-    ]
-
-
-def _interrupted_message(stopped: Interrupted, out: Path) -> str:
-    return (
-        f"{stopped.written} of {pluralize(stopped.total, 'frame')} are in {out}/{TABLE_FILE};"
-        " run it"
-        " again: shots that are done stay, the others are followed from their beginning"
+def _number_of(text: str, names: Sequence[str]) -> int:
+    if text in names:
+        return names.index(text)
+    last = len(names) - 1
+    if text.isascii() and text.isdigit() and int(text) <= last:
+        return int(text)
+    raise UsageError(
+        f"--from {text}: there is no such frame (they are called {names[0]} to {names[-1]},"
+        f" numbers 0 to {last})"
     )
 
 
-_NAMED_ANCHORS = 3
+_NAMED = 3
 
 
-def _report(table: TrackTable, problems: list[str], kept: int, out: Path) -> int:
-    console = stdout_console()
-    console.print(shots_table(table))
-    if (gaps := gaps_table(table)).rows:
-        console.print(gaps)
-    if kept:
-        echo(f"followed before: {pluralize(kept, 'shot')} (--overwrite follows them again)")
-    anchors = [(name, row) for name, row in table.rows.items() if row["state"] == "anchor"]
-    if unseen := [name for name, row in anchors if not row["coverage"]]:
-        count, some = pluralize(len(unseen), "anchor"), ", ".join(unseen[:_NAMED_ANCHORS])
-        echo(f"{count} without any line on paint: cameras of other pictures? {some}")
-    echo(f"{tracked_words(table)}; written to {out}, with {TABLE_FILE}")
-    return remarks.report_unreadable([*problems, *table.errors])
+def _report(
+    name: str, cameras: PackedCameras, jumps: Mapping[int, float], path: Path, *, alone: bool
+) -> None:
+    if alone:
+        console = stdout_console()
+        console.print(shots_table(cameras))
+        if (gaps := gaps_table(cameras)).rows:
+            console.print(gaps)
+    unseen = [
+        frame
+        for frame, state, coverage in zip(
+            cameras.frame, cameras.state, cameras.coverage.tolist(), strict=True
+        )
+        if state == "anchor" and not coverage
+    ]
+    if unseen:
+        some = ", ".join(unseen[:_NAMED])
+        what = pluralize(len(unseen), "anchor")
+        echo(f"{name}: {what} without any line on paint: cameras of other pictures? {some}")
+    if (aspect := float(cameras.pixel_aspect.max(initial=1.0))) != 1:
+        echo(f"{name}: pixels are {aspect:.3f} times as wide as high")
+    for number, px in jumps.items():
+        echo(f"{name}: at frame {number} two pieces of a shot are {px:.1f} px apart", err=True)
+    echo(f"{name}: {tracked_words(cameras)}; written to {path}")

@@ -4,6 +4,7 @@ videos as datasets.
 
 from __future__ import annotations
 
+import hashlib
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -15,6 +16,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from procc_annotator.arrays import FloatArray
 from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.diagnostics import found_instead_of_pictures
 from procc_annotator.dataset.frames import Frame, list_frames, video_frame
@@ -27,6 +29,7 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.image.decoding import decode_bgra, decode_thumbnail
 from procc_annotator.image.headers import VIDEO_SUFFIXES
 from procc_annotator.image.motion import (
+    CUT_MARGIN,
     FrameSignature,
     cut_indices,
     estimate_motion,
@@ -64,6 +67,21 @@ class PictureSource:
     ) -> FrameAnnotations:
         """Return what is annotated in them; see `FrameAnnotations.of`."""
         return FrameAnnotations.of(self.path, annotations, field, names)
+
+    def stamp(self) -> str:
+        """Return what another content would change: a digest of size and time of the files."""
+        digest = hashlib.sha256()
+        for path in [self.path] if self.is_video else [f.image_path for f in self.frames]:
+            found = os.stat(path)
+            said = f"{path.name} {found.st_size} {found.st_mtime_ns} "
+            digest.update(said.encode("utf-8", "surrogatepass"))
+        return digest.hexdigest()[:16]
+
+    def times_s(self, numbers: range) -> FloatArray:
+        """Seconds from the first frame; NaN for pictures, which have no clock."""
+        if not self.is_video:
+            return np.full(len(numbers), np.nan)
+        return open_shared_video(self.path).times_s[numbers.start : numbers.stop]
 
 
 def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
@@ -277,47 +295,74 @@ def _neighbours_similar(
 
 
 def find_shots(source: PictureSource, progress: Callable[[int, int], None]) -> list[range]:
-    """Return the stretches between cuts: the numbers of the frames of each shot, from 0.
+    """Return the stretches between cuts: the numbers of the frames of each shot.
 
-    What changes the picture at once without another camera (a banner, a flash) is no cut: the
-    stadium moves on steadily behind it. ``progress`` is called now and then with frames done and
-    their count. `ImageError` for a video that cannot be read.
+    Args:
+        source: its frames, numbered from 0.
+        progress: called now and then with frames done and their count.
+
+    Raises:
+        ImageError: a video that cannot be read.
     """
     count = len(source.frames)
+    begins = find_cuts(source, range(count), progress)
+    return [range(first, past) for first, past in pairwise([0, *begins, count])]
+
+
+def find_cuts(
+    source: PictureSource, numbers: range, progress: Callable[[int, int], None] = lambda *_: None
+) -> list[int]:
+    """Return those of some consecutive frames, but for the very first one, that begin a shot,
+    whatever part of the source is looked at.
+
+    What changes the picture at once without another camera (a banner, a flash) is no cut: the
+    stadium moves on steadily behind it.
+
+    Args:
+        source, progress: as of `find_shots`.
+        numbers: the frames.
+
+    Raises:
+        ImageError: a video that cannot be read.
+    """
+    around = range(
+        max(numbers.start - CUT_MARGIN, 0), min(numbers.stop + CUT_MARGIN, len(source.frames))
+    )
     if source.is_video:
         video = open_shared_video(source.frames[0].image_folder)
-        begins = scene_cuts(video, progress=progress, cancelled=lambda: False)
+        begins = scene_cuts(video, progress=progress, cancelled=lambda: False, numbers=around)
     else:
-        begins = _cuts_in_folder(source.frames, progress)
-    told = set(begins)
-    inner = [
+        begins = _cuts_in_folder(source.frames, around, progress)
+    told = set(begins) - {around.start}
+    return [
         n
-        for n in range(1, count)
-        if _other_folder(source.frames, n) or (n in told and _is_cut(source.frames, n))
+        for n in numbers
+        if n and (_other_folder(source.frames, n) or (n in told and _is_cut(source.frames, n)))
     ]
-    return [range(first, past) for first, past in pairwise([0, *inner, count])]
 
 
 def _other_folder(frames: Sequence[Frame], number: int) -> bool:
     return frames[number].image_folder != frames[number - 1].image_folder
 
 
-def _cuts_in_folder(frames: Sequence[Frame], progress: Callable[[int, int], None]) -> list[int]:
-    numbers: list[int] = []
+def _cuts_in_folder(
+    frames: Sequence[Frame], numbers: range, progress: Callable[[int, int], None]
+) -> list[int]:
+    seen: list[int] = []
 
     def looks() -> Iterator[FrameSignature]:
-        for number, frame in enumerate(frames):
-            progress(number, len(frames))
+        for done, number in enumerate(numbers):
+            progress(done, len(numbers))
             try:
-                small = decode_thumbnail(frame.image_path, _LOOKED_AT_PX)
+                small = decode_thumbnail(frames[number].image_path, _LOOKED_AT_PX)
             except ImageError:  # told when its shot is followed
                 continue
-            numbers.append(number)
+            seen.append(number)
             yield frame_signature(small[..., :3])
 
     steps, lasting = frame_differences(looks())
-    progress(len(frames), len(frames))
-    return [numbers[i] for i in cut_indices(steps, lasting)] if numbers else []
+    progress(len(numbers), len(numbers))
+    return [seen[i] for i in cut_indices(steps, lasting)] if seen else []
 
 
 def _is_cut(frames: Sequence[Frame], number: int) -> bool:

@@ -20,6 +20,7 @@ _MIN_CUT_DIFFERENCE = (
 )
 _CUT_RATIO = 2.5  # a cut stands out of the motion before and after it
 _CUT_WINDOW = 6  # frames to either side: a quarter of a second
+CUT_MARGIN = _CUT_WINDOW + 4  # frames around one that decide whether it begins a scene
 
 
 @dataclass(frozen=True, eq=False)

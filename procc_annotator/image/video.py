@@ -214,33 +214,37 @@ def scene_cuts(
     *,
     progress: Callable[[int, int], None] | None,
     cancelled: Callable[[], bool],
+    numbers: range | None = None,
 ) -> list[int]:
     """The number of the first frame of each scene, 0 included; of a cancelled search those so far.
 
-    Hard cuts only: a dissolve or a wipe is not one. Reads the whole video with a reader of its
-    own, so that frames can be had meanwhile; progress is called with frames done and their count.
+    Hard cuts only: a dissolve or a wipe is not one. Reads the frames with a reader of its own, so
+    that others can be had meanwhile; progress is called with frames done and their count.
+
+    Args:
+        numbers: consecutive frames to look at; None for all. The first one begins a scene.
 
     Raises:
         ImageError: the file cannot be opened any more.
     """
-    count = video.frame_count
-    numbers: list[int] = []
+    wanted = range(video.frame_count) if numbers is None else numbers
+    seen: list[int] = []
 
     def looks(reader: FrameReader) -> Iterator[FrameSignature]:
-        for number in range(count):
-            if number % 25 == 0:
+        for done, number in enumerate(wanted):
+            if done % 25 == 0:
                 if cancelled():
                     return
                 if progress is not None:
-                    progress(number, count)
+                    progress(done, len(wanted))
             pixels = reader.frame(number)
             if pixels is not None:
-                numbers.append(number)
+                seen.append(number)
                 yield frame_signature(pixels[..., :3])
 
     reader = FrameReader(video.path, video.read_index())
     steps, lasting = frame_differences(looks(reader))
     reader.close()
     if progress is not None and not cancelled():
-        progress(count, count)
-    return [numbers[i] for i in cut_indices(steps, lasting)] if numbers else [0]
+        progress(len(wanted), len(wanted))
+    return [seen[i] for i in cut_indices(steps, lasting)] if seen else [wanted.start]

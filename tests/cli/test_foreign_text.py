@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from procc_annotator.batch.unit_store import Unit, UnitStore
 from procc_annotator.cli.main import COMMANDS
 
 EVIL = "\x1b]0;pwn\x07\x1b[31m<script>x"
@@ -44,7 +45,10 @@ def _commands(evil: Path, out: Path) -> dict[str, list[object]]:
     shutil.copytree(annotations, second / "annotations")
     points = out / "points.csv"
     points.write_text(f"frame,x,y,{EVIL}\n{EVIL},1,2,{EVIL}\n{EVIL}1,1,2,3\n")
+    with UnitStore(out / "season" / "track.sqlite", {}, resume=False) as store:
+        store.fail(Unit(EVIL, match=EVIL, error=EVIL, tries=3))
     return {
+        "status": [out / "season"],
         "evaluate": [annotations, cameras, "--output", out / "e.csv", "--intervals"],
         "agree": [second / "annotations", "--reference", evil],
         "compare": [cameras, cameras, "--dataset", evil],

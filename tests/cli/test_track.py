@@ -2,7 +2,6 @@
 
 import json
 import math
-import re
 import shutil
 from collections.abc import Callable
 from dataclasses import replace
@@ -15,14 +14,11 @@ import pytest
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import Proposal
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
-from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.cli import track as command
 from procc_annotator.dataset.sequence import open_pictures
-from procc_annotator.field.load import load_field
-from procc_annotator.formats.cameras.registry import read_camera_file
+from procc_annotator.formats.cameras.packed import PackedCameras, read_packed
 from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.image.decoding import decode_bgra
-from tests.cli.conftest import rows_in
 from tests.drawn_shots import DrawnShot, cut_shot, write_video
 
 SIZE = (640, 360)
@@ -86,41 +82,85 @@ def followed(whole, tmp_path) -> Path:
     return shutil.copytree(whole, tmp_path / "out")
 
 
-def table(out: Path) -> list[dict[str, str]]:
-    return rows_in(out / "track.csv")
-
-
-def files(folder: Path) -> dict[str, bytes]:
-    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
-
-
-def camera_in(out: Path, number: int) -> PinholeCamera:
-    path = out / f"camera_{name_of(number)}.json"
-    return read_camera_file(path.read_bytes(), path=path.name).camera
+def tracked(out: Path, name: str = "match") -> PackedCameras:
+    return read_packed((out / f"{name}.npz").read_bytes(), name)
 
 
 def test_every_frame_of_both_shots(shot, whole):
-    rows = table(whole)
-    assert [row["frame"] for row in rows] == [name_of(n) for n in range(FRAMES)]
-    assert [row["shot"] for row in rows] == [name_of(0)] * CUT + [name_of(CUT)] * (FRAMES - CUT)
-    assert [row["state"] for row in rows].count("anchor") == 2
-    assert rows[0]["anchor_distance"] == "2"
-    assert float(rows[0]["sd_pan_degrees"]) > 0
-    assert sorted(files(whole)) == [
-        *(f"camera_{name_of(n)}.json" for n in range(FRAMES)), "track.csv",
-    ]  # fmt: skip
+    found = tracked(whole)
+    assert found.frame == tuple(name_of(n) for n in range(FRAMES))
+    assert found.shot == (name_of(0),) * CUT + (name_of(CUT),) * (FRAMES - CUT)
+    assert found.state.count("anchor") == 2
+    assert found.anchor_distance[0] == 2
+    assert 0 < found.position_sd_m(0).max() < 10
+    assert found.time_s[-1] > found.time_s[0] == 0
     for number, true in enumerate(shot.cameras):
-        found = camera_in(whole, number)
-        px = math.hypot(found.pan_rad - true.pan_rad, found.tilt_rad - true.tilt_rad)
+        camera = found.pinhole(number)
+        px = math.hypot(camera.pan_rad - true.pan_rad, camera.tilt_rad - true.tilt_rad)
         assert px * true.focal_px[0] < 2.0
     for number in ANCHORS:  # to the digit
-        assert camera_in(whole, number).position_world == shot.cameras[number].position_world
+        assert found.pinhole(number).position_world == shot.cameras[number].position_world
 
 
 def test_the_same_in_two_processes_and_from_pictures(cli, pictures, cameras, whole, tmp_path):
     out = tmp_path / "out"
     cli("track", pictures, out, "--cameras", cameras, "--workers", 2)
-    assert files(out) == files(whole)
+    assert same(tracked(out, "pictures"), tracked(whole))
+
+
+def same(one: PackedCameras, other: PackedCameras) -> bool:
+    """Whether all but the times are the same, to the last bit."""
+    texts = "frame", "shot", "state", "reason", "clicks"
+    numbers = "coverage", "residual_px", "size", "camera", "covariance", "anchor_distance"
+    return all(getattr(one, name) == getattr(other, name) for name in texts) and all(
+        np.array_equal(getattr(one, name), getattr(other, name), equal_nan=True) for name in numbers
+    )
+
+
+def test_a_season_is_the_matches_one_by_one(cli, video, cameras, whole, tmp_path):
+    """A tree of videos; with a worker that is shared, and once more from a list."""
+    season, given = tmp_path / "season", tmp_path / "cameras_by_match"
+    for name in ("a/match", "b/match"):
+        (season / name).parent.mkdir(parents=True)
+        shutil.copyfile(video, season / f"{name}.mp4")
+        shutil.copytree(cameras, given / name)
+    out = tmp_path / "out"
+    done = cli("track", season, out, "--cameras", given, "--workers", 2)
+    assert "2 matches" in done.stdout
+    assert all(same(tracked(out, name), tracked(whole)) for name in ("a/match", "b/match"))
+    assert "a/match" in cli("status", out).stdout
+    listed = season / "season.csv"
+    listed.write_text("video,match,stadium\nb/match.mp4,one,Arena\na/match.mp4,two,Arena\n")
+    for name in ("one", "two"):
+        shutil.copytree(cameras, given / name)
+    cli("track", listed, tmp_path / "listed", "--cameras", given)
+    assert all(same(tracked(tmp_path / "listed", name), tracked(whole)) for name in ("one", "two"))
+
+
+def test_a_unit_that_fails_three_times_is_set_aside_and_tried_again_when_asked(
+    cli, video, cameras, whole, monkeypatch, tmp_path
+):
+    tries = []
+    real = command.follow_shot
+
+    def failing(frame, numbers, *rest, **options) -> Track:
+        tries.append(numbers[0])
+        if numbers[0] == CUT:
+            raise OSError("the disk is gone")
+        return real(frame, numbers, *rest, **options)
+
+    out, words = tmp_path / "out", ("--cameras", cameras)
+    with monkeypatch.context() as patched:
+        patched.setattr(command, "follow_shot", failing)
+        done = cli("track", video, out, *words, code=1)
+    assert tries.count(CUT) == 3
+    assert "set aside: match/track/" in done.stderr
+    assert "the disk is gone" in done.stderr
+    assert tracked(out).has_camera.tolist() == [True] * CUT + [False] * (FRAMES - CUT)
+    again = cli("track", video, out, *words, code=1)  # without being asked
+    assert "set aside" in again.stderr
+    cli("track", video, out, *words, "--only", "failed")
+    assert same(tracked(out), tracked(whole))
 
 
 def test_annotated_frames_are_anchors(cli, shot, video, tmp_path):
@@ -138,23 +178,24 @@ def test_annotated_frames_are_anchors(cli, shot, video, tmp_path):
     scores = tmp_path / "scores.json"
     cli("evaluate", known[0].parent, tmp_path / "out", "-o", scores)
     images = json.loads(scores.read_text())["images"]
+    over_time = cli("evaluate", known[0].parent, tmp_path / "out", "--over-time")
+    assert "by the track" in over_time.stdout
     fitted = {one["name"] for one in images if one.get("fitted_on_these_clicks")}
     assert fitted == {name_of(number) for number in ANCHORS}
     assert len(images) == 3
 
 
-def test_only_the_shot_of_a_frame(cli, video, cameras, tmp_path):
+def test_only_the_shot_of_a_frame(cli, video, cameras, whole, tmp_path):
     out = tmp_path / "out"
     cli("track", video, out, "--cameras", cameras, "--from", name_of(14))
-    assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(CUT, FRAMES)]
+    assert tracked(out).frame == tuple(name_of(n) for n in range(CUT, FRAMES))
+    cli("track", video, out, "--cameras", cameras, "--from", "2")
+    assert same(tracked(out), tracked(whole))
 
 
-def follow_by(monkeypatch: pytest.MonkeyPatch, follow: Callable[..., Track]) -> list[object]:
-    """Something else follows shots; what was to be prepared for looking for cameras is told."""
-    prepared: list[object] = []
+def follow_by(monkeypatch: pytest.MonkeyPatch, follow: Callable[..., Track]) -> None:
+    """Something else follows shots."""
     monkeypatch.setattr(command, "follow_shot", follow)
-    monkeypatch.setattr(command, "warm_up_caches", lambda *given: prepared.append(given))
-    return prepared
 
 
 def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_path):
@@ -164,10 +205,9 @@ def test_what_was_found_in_a_picture_is_no_anchor(cli, video, monkeypatch, tmp_p
         given.append((numbers, dict(anchors)))
         return nothing_found(frame, numbers, field, anchors=anchors, known=known, on_frame=on_frame)
 
-    prepared = follow_by(monkeypatch, followed)
+    follow_by(monkeypatch, followed)
     cli("track", video, tmp_path / "out", "--from", "14")
     assert given == [(range(CUT, FRAMES), {})]
-    assert prepared == [(load_field("soccer"), SIZE)]
 
 
 def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(
@@ -192,7 +232,7 @@ def test_a_shot_without_a_camera_is_looked_at_where_the_other_one_stands(
     done = cli("track", video, out, "--cameras", given)
     assert looks == [(0, 0), (CUT, 0), (CUT, 1)]
     assert f"{FRAMES} of {FRAMES} frames have a camera" in done.stdout
-    assert [row["frame"] for row in table(out)] == [name_of(n) for n in range(FRAMES)]
+    assert tracked(out).frame == tuple(name_of(n) for n in range(FRAMES))
 
 
 def test_an_anchor_of_another_picture_is_named(cli, shot, video, cameras, tmp_path):
@@ -204,39 +244,42 @@ def test_an_anchor_of_another_picture_is_named(cli, shot, video, cameras, tmp_pa
     assert f"1 anchor without any line on paint: cameras of other pictures? {name}" in done.stdout
 
 
-def test_anchors_that_are_given_later_are_used(cli, video, cameras, followed):
+def test_anchors_that_are_given_later_are_used(cli, shot, video, cameras, monkeypatch, tmp_path):
     """Somebody helps where a shot was lost, and starts the command again."""
-    helped = re.compile(f"^{name_of(ANCHORS[1])},.*$", re.M)
-    text = (followed / "track.csv").read_text()
-    (followed / "track.csv").write_text(helped.sub(lambda m: m[0].replace("anchor", "lost"), text))
-    done = cli("track", video, followed, "--cameras", cameras)
-    assert "followed before: 1 shot" in done.stdout
-    assert (followed / "track.csv").read_text() == text
+    out, given = tmp_path / "out", write_cameras(shot, tmp_path / "one", ANCHORS[:1])
+    cli("track", video, out, "--cameras", given)
+    real, followed = command.follow_shot, []
+
+    def noted(frame, numbers, *rest, **options) -> Track:
+        followed.append(numbers[0])
+        return real(frame, numbers, *rest, **options)
+
+    follow_by(monkeypatch, noted)
+    cli("track", video, out, "--cameras", cameras)
+    assert followed == [CUT]
+    assert tracked(out).state.count("anchor") == 2
 
 
-def test_a_shot_is_followed_again_and_the_other_one_kept(cli, video, cameras, followed):
-    before = table(followed)
-    cli("track", video, followed, "--cameras", cameras, "--from", "14", "--overwrite")
-    assert table(followed) == before
+def test_what_other_programs_left_is_not_replaced(cli, video, cameras, followed, tmp_path):
+    before = (followed / "match.npz").read_bytes()
+    (followed / "track.sqlite").unlink()
+    done = cli("track", video, followed, "--cameras", cameras, code=2)
+    assert "holds cameras but no track.sqlite" in done.stderr
+    done = cli("track", video, followed, "--cameras", cameras, "--overwrite")
+    assert (followed / "match.npz").read_bytes() == before
+    done = cli("track", video, followed, "--cameras", cameras, "--field", "tennis", code=2)
+    assert "was begun with another field" in done.stderr
 
 
-def test_a_shot_that_is_replaced_does_not_count_as_done_meanwhile(
-    cli, video, cameras, monkeypatch, followed
+def test_a_video_that_was_replaced_is_followed_again(
+    cli, video, cameras, pictures, followed, tmp_path
 ):
-    def stopped(*_, **__) -> Track:
-        raise KeyboardInterrupt
-
-    follow_by(monkeypatch, stopped)
-    cli("track", video, followed, "--cameras", cameras, "--from", "14", "--overwrite", code=130)
-    assert [row["frame"] for row in table(followed)] == [name_of(n) for n in range(CUT)]
-
-
-def test_the_track_of_something_else_is_not_replaced(cli, video, followed, tmp_path):
-    before = files(followed)
-    other = shutil.copyfile(video, tmp_path / "other.mp4")
-    done = cli("track", other, followed, code=2)
-    assert f"is of other frames, such as {name_of(0)}" in done.stderr
-    assert files(followed) == before
+    frames = [decode_bgra(path) for path in sorted(pictures.iterdir())]
+    other = tmp_path / "match.mp4"
+    write_video(other, [*frames[CUT:], *frames[:CUT]])
+    cli("track", other, followed)
+    assert tracked(followed).shot[CUT] == name_of(CUT)
+    assert "anchor" not in tracked(followed).state
 
 
 def lost(number: int, reason: str) -> TrackedFrame:
@@ -256,14 +299,10 @@ def nothing_found(frame, numbers, field, *, anchors, known, on_frame) -> Track:
 def test_lost_frames_are_gaps_without_a_camera(cli, video, monkeypatch, tmp_path):
     follow_by(monkeypatch, nothing_found)
     out = tmp_path / "out"
-    out.mkdir()
-    (out / "track.csv").write_text("")
-    (out / f"camera_{name_of(3)}.json").write_text("{}")  # of an earlier track
-    done = cli("track", video, out, "--overwrite")
+    done = cli("track", video, out)
     assert "2 gaps" in done.stdout
     assert "nothing to see" in done.stdout
-    assert list(files(out)) == ["track.csv"]
-    assert {row["camera"] for row in table(out)} == {""}
+    assert not tracked(out).has_camera.any()
 
 
 def test_the_end_of_a_video_that_is_missing_is_a_problem(cli, pictures, monkeypatch, tmp_path):
@@ -286,36 +325,31 @@ def test_damaged_pictures_are_lost_and_listed(cli, pictures, monkeypatch, tmp_pa
     small = np.zeros((90, 160, 3), np.uint8)
     cv2.imwrite(str(match / "match_000003.png"), small)
     done = cli("track", match, tmp_path / "out", code=1)
-    assert len(done.stderr.splitlines()) == 2
+    assert sum("unreadable" in line for line in done.stderr.splitlines()) == 2
     assert "is not 640x360 px" in done.stderr
-    rows = table(tmp_path / "out")
-    assert len(rows) == FRAMES
-    assert "cannot be decoded" in rows[0]["reason"]
+    found = tracked(tmp_path / "out")
+    assert len(found) == FRAMES
+    assert "cannot be decoded" in found.reason[0]
     again = cli("track", match, tmp_path / "out", code=1)
-    assert "followed before: " in again.stdout
-    assert again.stderr == done.stderr
+    assert again.stderr in done.stderr
 
 
 def test_a_run_that_was_stopped_goes_on(cli, video, cameras, whole, monkeypatch, tmp_path):
-    out = tmp_path / "out"
-    arguments = ("--cameras", cameras)
-    real = command.follow_shot
+    out, words = tmp_path / "out", ("--cameras", cameras)
+    real, followed = command.follow_shot, []
 
     def stopped(frame, numbers, *rest, **options) -> Track:
-        found = real(frame, numbers, *rest, **options)
-        if numbers[0] == CUT:
-            raise KeyboardInterrupt  # its cameras are written, those of frames
-        return found
+        followed.append(numbers[0])
+        if followed == [0, CUT]:
+            raise KeyboardInterrupt
+        return real(frame, numbers, *rest, **options)
 
-    with monkeypatch.context() as patched:
-        patched.setattr(command, "follow_shot", stopped)
-        done = cli("track", video, out, *arguments, code=130)
-    assert f"interrupted: {CUT} of {FRAMES} frames are in {out}/track.csv" in done.stderr
-    assert len(table(out)) == CUT
-    assert len(files(out)) > CUT + 1  # also cameras of the shot that was not done
-    again = cli("track", video, out, *arguments)
-    assert "followed before: 1 shot" in again.stdout
-    assert files(out) == files(whole)
+    follow_by(monkeypatch, stopped)
+    done = cli("track", video, out, *words, code=130)
+    assert "run it again to go on" in done.stderr
+    cli("track", video, out, *words)
+    assert followed == [0, CUT, CUT]
+    assert (out / "match.npz").read_bytes() == (whole / "match.npz").read_bytes()
 
 
 def test_what_makes_no_sense(cli, video, cameras, tmp_path):
@@ -329,7 +363,7 @@ def test_what_makes_no_sense(cli, video, cameras, tmp_path):
         ((video, out, "--from", "99"), "there is no such frame"),
         ((video, out, "--cameras", tmp_path / "no"), "does not exist"),
         ((video, cameras, "--cameras", cameras), "write to another folder"),
-        ((video, cameras), "holds cameras but no track.csv"),
+        ((video, cameras), "holds cameras but no track.sqlite"),
         ((cameras, out), "no picture in"),
     ):
         done = cli("track", *wrong, code=2)

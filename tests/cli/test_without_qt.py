@@ -108,6 +108,7 @@ def test_every_command_does_its_work(dataset, sample_data, tmp_path):
         ["calibrate", root, tmp_path / "fitted", "--model", "P"],
         ["propose", bare, tmp_path / "proposed", "--known-positions", tree / "camera_00002.json"],
         ["track", one, tmp_path / "tracked", "--cameras", tree],
+        ["status", tmp_path / "tracked"],
         ["annotate", one, tmp_path / "annotated", "--cameras", tree],
         ["check", root],
         ["field-size", root],

@@ -14,10 +14,11 @@ import uuid
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import CancelledError
 from contextlib import ExitStack, contextmanager
-from itertools import islice
+from itertools import count, islice
 from queue import Empty, SimpleQueue
 from typing import Any, Self, TypeVar
 
+from procc_annotator.batch.execution.executor import take_ready
 from procc_annotator.batch.execution.process_pool import run_chunk
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.messages import install_hint
@@ -73,7 +74,7 @@ class DaskCluster:
     def map(
         self,
         task: Callable[[C], R],
-        chunks: Iterable[C],
+        chunks: Iterable[C | None],
         *,
         name: Callable[[C], str] = repr,
         ordered: bool = True,
@@ -81,15 +82,14 @@ class DaskCluster:
     ) -> Iterator[R]:
         """See `Executor.map`."""
         run = uuid.uuid4().hex
-        more = enumerate(chunks)
+        more, keys = iter(chunks), (f"procc-annotator-{run}-{i}" for i in count())
         sent: dict[Any, C] = {}  # by their futures, in the order in which they were sent
         arrived: SimpleQueue[object] = SimpleQueue()
         try:
             while True:
-                for i, chunk in islice(more, max(0, self._window() - len(sent))):
-                    key = f"procc-annotator-{run}-{i}"
+                for chunk in take_ready(more, self._window() - len(sent)):
                     future = self._client.submit(
-                        _run_same_version, __version__, run, task, chunk, key=key, pure=False
+                        _run_same_version, __version__, run, task, chunk, key=next(keys), pure=False
                     )
                     sent[future] = chunk
                     future.add_done_callback(arrived.put)

@@ -27,7 +27,7 @@ class Executor(Protocol):
     def map(
         self,
         task: Callable[[C], R],
-        chunks: Iterable[C],
+        chunks: Iterable[C | None],
         *,
         name: Callable[[C], str] = repr,
         ordered: bool = True,
@@ -42,7 +42,8 @@ class Executor(Protocol):
             task: survives the trip to a worker, which keeps its copy between chunks: it may open
                 files with its first chunk and keep them open. The ``close()`` of such a copy, if it
                 has one, is called when the worker needs it no more.
-            chunks: as much work each as is worth a trip: a tenth of a second or more.
+            chunks: as much work each as is worth a trip: a tenth of a second or more. None stands
+                for none before there are more results.
             name: how to name a chunk to a person, e.g. by its first and last frame.
             ordered: whether results come in the order of the chunks; else as they are made, so that
                 a long chunk holds nothing up.
@@ -59,7 +60,7 @@ class InProcess:
     def map(
         self,
         task: Callable[[C], R],
-        chunks: Iterable[C],
+        chunks: Iterable[C | None],
         *,
         name: Callable[[C], str] = repr,
         ordered: bool = True,
@@ -67,7 +68,15 @@ class InProcess:
     ) -> Iterator[R]:
         """See `Executor.map`."""
         del name, ordered, lost  # nobody is lost here
-        return map(task, chunks)
+        return (task(chunk) for chunk in chunks if chunk is not None)
+
+
+def take_ready(chunks: Iterator[C | None], count: int) -> Iterator[C]:
+    """Return up to so many chunks; fewer where there are none at present."""
+    for _ in range(count):
+        if (chunk := next(chunks, None)) is None:
+            return
+        yield chunk
 
 
 @contextmanager

@@ -20,6 +20,7 @@ from queue import Empty, SimpleQueue
 from types import TracebackType
 from typing import Any, Generic, Self, TypeVar
 
+from procc_annotator.batch.execution.executor import take_ready
 from procc_annotator.errors import ProccError
 
 C = TypeVar("C")
@@ -94,7 +95,7 @@ class ProcessPool:
     def map(
         self,
         task: Callable[[C], R],
-        chunks: Iterable[C],
+        chunks: Iterable[C | None],
         *,
         name: Callable[[C], str] = repr,
         ordered: bool = True,
@@ -111,7 +112,7 @@ class ProcessPool:
         sent: deque[_Sent[C, R]] = deque()
         arrived: SimpleQueue[object] = SimpleQueue()
         while True:
-            sent.extend(map(_Sent[C, R], islice(more, 2 * self.workers - len(sent))))
+            sent.extend(map(_Sent[C, R], take_ready(more, 2 * self.workers - len(sent))))
             if not sent:
                 return
             alone = any(one.broke >= _SUSPECT_AFTER for one in sent)

@@ -61,6 +61,8 @@ class CameraCollection:
         frames: frame name -> the file its camera is in.
         remarks: about the collection, that a person should see.
         passed_over: errors of records whose frames are unknown.
+        shots: frame -> its shot, in their order, where the files say so; also of frames without a
+            camera.
         field: what the pictures show, where that is known: a camera that would be taken for one of
             another field cannot be read.
     """
@@ -91,6 +93,7 @@ class CameraCollection:
         self._about_to_read = about_to_read
         self._fitted_on = FitDigests(self._read_beside)
         self._held_out = LeftOutTables(self._read_beside)
+        self.shots: dict[str, str] = {}
         self._records: dict[str, CameraRecords] = {}
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
@@ -219,7 +222,8 @@ class CameraCollection:
                 self.remarks = (*self.remarks, f"passed over: {error}")
                 continue
             if records is not None:
-                found[file] = records.below(own.rpartition("/")[0])
+                several = len(files) > 1 and records.shots  # one file a match
+                found[file] = records.below(own if several else own.rpartition("/")[0])
         if not any("/" in own for own in files):
             found = _by_folders(found)
         if found or left_out:
@@ -259,6 +263,7 @@ class CameraCollection:
                     )
                 frames[frame] = file
         self._records = found
+        self.shots = {frame: s for records in found.values() for frame, s in records.shots.items()}
         self.frames = ByFrame((frame, frames[frame]) for frame in natsorted(frames))
         remarks = (remark for records in found.values() for remark in records.notices)
         self.remarks = (*self.remarks, *dict.fromkeys(remarks))

@@ -103,6 +103,8 @@ class CameraRecords:
         notices: remarks on parts of the file that belong to no frame.
         only_folder: that all pictures lie in by their names, while frames are called without it.
         passed_over: damaged records whose frames are unknown.
+        shots: frame -> its shot, in their order, where the file says so; also of frames without a
+            camera.
     """
 
     path: str
@@ -111,6 +113,7 @@ class CameraRecords:
     notices: tuple[str, ...] = field(default=())
     only_folder: str = ""
     passed_over: Sequence[CameraError] = ()
+    shots: Mapping[str, str] = field(default_factory=dict)
 
     @classmethod
     def of(
@@ -145,7 +148,8 @@ class CameraRecords:
         if not folder:
             return self
         entries = {f"{folder}/{name}": found for name, found in self.entries.items()}
-        return replace(self, entries=entries, only_folder="")
+        shots = {f"{folder}/{name}": f"{folder}/{shot}" for name, shot in self.shots.items()}
+        return replace(self, entries=entries, only_folder="", shots=shots)
 
     def read(self, frame: str) -> LoadedCamera:
         """The camera of a frame.

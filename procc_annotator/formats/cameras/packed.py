@@ -9,7 +9,7 @@ each frame's text in ``NAME_values``, and these as UTF-8, divided by line feeds.
 | ``frame`` | text | names of the frames, as every command calls them |
 | ``time_s`` | (N,) float64 | from the first frame; NaN without a clock |
 | ``shot`` | text | name of the shot's first frame |
-| ``state`` | text | anchor, followed, bridged or lost; sure or unsure of proposals |
+| ``state`` | text | anchor, followed, bridged, lost, unreadable or set aside |
 | ``reason`` | text | what there is to say about that |
 | ``coverage`` | (N,) float32 | share of the visible model on paint, 0 to 1 |
 | ``residual_px`` | (N,) float32 | median distance of that paint from the model |
@@ -33,7 +33,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from procc_annotator.arrays import FloatArray
+from procc_annotator.arrays import BoolArray, FloatArray
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.errors import CameraError
 from procc_annotator.formats.cameras.fit_record import DIGEST, FIT_KEY, UNCERTAINTY
@@ -88,9 +88,19 @@ class PackedCameras:
             columns[name] = tuple(chain(*own)) if name in _TEXTS else np.concatenate(own)
         return cls(**columns)
 
-    def rows(self, chosen: slice) -> Self:
+    def merged(self, other: PackedCameras, names: Sequence[str]) -> Self:
+        """These, and those of another one of frames that these lack, in the order of names."""
+        both = self.joined([self, other])
+        place = {name: i for i, name in reversed(list(enumerate(both.frame)))}
+        return both.rows([place[name] for name in names if name in place])
+
+    def rows(self, chosen: Sequence[int] | range) -> Self:
         """Some of the frames."""
-        return type(self)(**{one.name: getattr(self, one.name)[chosen] for one in fields(self)})
+        columns: dict[str, Any] = {}
+        for name in _KINDS:
+            own = getattr(self, name)
+            columns[name] = tuple(own[i] for i in chosen) if name in _TEXTS else own[list(chosen)]
+        return type(self)(**columns)
 
     def encoded(self) -> bytes:
         """As a file."""
@@ -110,16 +120,43 @@ class PackedCameras:
         np.savez_compressed(buffer, **arrays)
         return buffer.getvalue()
 
-    def read(self, row: int) -> LoadedCamera | None:
-        """The camera of a row; None without one."""
+    @classmethod
+    def without_cameras(cls, names: Texts, shot: str, state: str) -> Self:
+        """Frames without a camera, in a state."""
+        count = len(names)
+        nothing = np.full(count, np.nan)
+        return cls(
+            names, nothing, (shot,) * count, (state,) * count, ("",) * count, nothing, nothing,
+            nothing, nothing, np.zeros((count, 2)), np.full((count, len(PARAMETERS)), np.nan),
+            np.empty((count, 0)), np.ones(count), ("",) * count,
+        )  # fmt: skip
+
+    @property
+    def has_camera(self) -> BoolArray:
+        """(N,) of each frame."""
+        return np.asarray(np.isfinite(self.camera).all(axis=1))
+
+    def position_sd_m(self, row: int) -> FloatArray:
+        """(3,) standard deviations of the position of a row, metres; NaN where not known."""
+        lower = self.covariance[row]
+        diagonal = [i * (i + 3) // 2 for i in (3, 4, 5)]
+        return np.sqrt(lower[diagonal]) if lower.size > diagonal[-1] else np.full(3, np.nan)
+
+    def pinhole(self, row: int) -> PinholeCamera | None:
+        """The camera of a row, px of its picture; None without one."""
         values = self.camera[row].tolist()
         if not np.isfinite(values).all():
             return None
-        size = int(self.size[row, 0]), int(self.size[row, 1])
         parts: list[Any] = [
             tuple(values[begin:end]) for begin, end in pairwise((3, 6, 8, 10, 16, 18, 22))
         ]
-        camera = PinholeCamera(*values[:3], *parts)
+        return PinholeCamera(*values[:3], *parts)
+
+    def read(self, row: int) -> LoadedCamera | None:
+        """The same as read from a file, with what it was fitted to."""
+        if (camera := self.pinhole(row)) is None:
+            return None
+        size = int(self.size[row, 0]), int(self.size[row, 1])
         fit: dict[str, Any] = {DIGEST: self.clicks[row]} if self.clicks[row] else {}
         lower = self.covariance[row]
         if (lower := lower[np.isfinite(lower)]).size:
@@ -217,6 +254,8 @@ def packed_records(content: object, path: str) -> CameraRecords | None:
             raise CameraError(path, "holds no camera", place=place)
         return loaded
 
-    there = np.flatnonzero(np.isfinite(cameras.camera).all(axis=1)).tolist()
+    there = np.flatnonzero(cameras.has_camera).tolist()
     entries = {cameras.frame[i]: (CameraRecord(cameras.frame[i], i),) for i in there}
-    return CameraRecords(path, entries, read)
+    return CameraRecords(
+        path, entries, read, shots=dict(zip(cameras.frame, cameras.shot, strict=True))
+    )

@@ -13,7 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 from procc_annotator.dataset.dataset_field import video_pixel_aspect
-from procc_annotator.dataset.sequence import open_pictures
+from procc_annotator.dataset.sequence import find_cuts, open_pictures
 from procc_annotator.errors import ImageError
 from procc_annotator.field.model import PixelAspect
 from procc_annotator.image.decoding import decode_bgra, decode_thumbnail, read_size
@@ -320,6 +320,12 @@ def test_cuts_are_found_and_pans_and_flashes_are_none(cut_video):
     assert told[0] == (0, 90)
     assert told[-1] == (90, 90)
     assert told == sorted(told)
+
+
+@pytest.mark.parametrize("part", [range(30), range(25, 60), range(31, 50), range(62, 90)])
+def test_cuts_of_a_part_are_those_of_the_whole(cut_video, part):
+    source = open_pictures(cut_video)
+    assert find_cuts(source, part) == [n for n in find_cuts(source, range(90)) if n in part]
 
 
 def test_a_search_for_cuts_can_be_stopped(cut_video):

@@ -147,6 +147,38 @@ def test_a_chunk_that_kills_every_worker_is_named(tasks, pool, marks):
     assert [chunk for chunk, _ in pool.map(tasks.with_pid, range(3))] == [0, 1, 2]
 
 
+def test_without_order_a_long_chunk_holds_nothing_up(tasks, pool, tmp_path):
+    gate = tmp_path / "gate"
+    results = pool.map(tasks.Waiting(gate), [1, 0, 0, 0, 0, 0], ordered=False)
+    assert [next(results)[0] for _ in range(5)] == [0] * 5
+    gate.touch()
+    assert [chunk for chunk, _ in results] == [1]
+
+
+def test_a_chunk_that_kills_every_worker_may_have_a_result(tasks, pool, marks):
+    task = tasks.Killer(tasks.with_pid, 4, marks, times=99)
+    results = dict(
+        pool.map(task, range(9), ordered=False, lost=lambda chunk, error: (chunk, error))
+    )
+    assert sorted(results) == list(range(9))
+    assert "ended from outside" in str(results[4])
+
+
+@pytest.mark.parametrize("make", [InProcess, None], ids=["in process", "pool"])
+def test_chunks_that_depend_on_results_come_later(tasks, pool, make):
+    done: list[int] = []
+
+    def chunks() -> Iterator[int | None]:
+        yield from (0, 1)
+        while len(done) < 2:
+            yield None
+        yield 2
+
+    for chunk, _ in (make() if make else pool).map(tasks.with_pid, chunks(), ordered=False):
+        done.append(chunk)
+    assert sorted(done) == [0, 1, 2]
+
+
 def test_workers_and_a_cluster_exclude_each_other():
     with pytest.raises(UsageError, match="--dask"), make_executor(2, "tcp://127.0.0.1:1"):
         pass

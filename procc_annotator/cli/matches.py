@@ -1,0 +1,48 @@
+"""A command of one source for the matches of a season, one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import typer
+
+from procc_annotator.cli.echo import echo
+from procc_annotator.dataset.season import Match, list_matches
+from procc_annotator.errors import ProccError
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
+
+
+def place_of_match(root: Path | None, match: Match) -> Path | None:
+    """Return where annotations or cameras of a match lie below those of its season; None if there
+    are none."""
+    if root is None:
+        return None
+    named = (root / match.name, root / f"{match.name}{PACKED_SUFFIX}", root / f"{match.name}.zip")
+    return next((own for own in named if own.exists()), None)
+
+
+def for_each_match(source: Path, once: Callable[[Match | None], None]) -> None:
+    """Call a command for each match of a season; with None where the source is a single one.
+
+    What one match fails with is said, and the others follow.
+
+    Raises:
+        typer.Exit: of a season: 1 if some match had problems.
+        UsageError, InputError: as of `list_matches`.
+    """
+    matches = list_matches(source)
+    if matches is None:
+        once(None)
+        return
+    code = 0
+    for match in matches:
+        echo(f"{match.name}:")
+        try:
+            once(match)
+        except typer.Exit as end:
+            code = max(code, min(end.exit_code, 1))
+        except ProccError as error:
+            echo(f"{match.name}: {error}", err=True)
+            code = 1
+    raise typer.Exit(code)

@@ -1,0 +1,104 @@
+"""The matches of a season: a tree of videos, or a list of them."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from natsort import natsorted
+
+from procc_annotator.dataset.layout import frames_folder
+from procc_annotator.errors import InputError, UsageError
+from procc_annotator.formats.csv_tables import read_table
+from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+
+COLUMNS = ("video", "match", "stadium", "field", "start")
+_EXPECTED = f"a list of matches: columns {', '.join(COLUMNS)}, of which the last four may be absent"
+
+
+@dataclass(frozen=True)
+class Match:
+    """A video, or a folder of consecutive pictures.
+
+    Attributes:
+        name: distinguishes it in its season, without a suffix; may contain slashes.
+        pictures: the video or folder.
+        stadium: name of it, whose tripods and dimensions its matches share; empty if unknown.
+        field: name or file of a field; empty for that of the command.
+        start: when it began, as it is written.
+    """
+
+    name: str
+    pictures: Path
+    stadium: str = ""
+    field: str = ""
+    start: str = ""
+
+
+def list_matches(path: Path) -> tuple[Match, ...] | None:
+    """The matches of a season; None for a single one: a video, or a folder that holds pictures, but
+    for those kept of its videos.
+
+    Args:
+        path: folder in which videos lie, at any depth, or a ``.csv`` that lists them, relative to
+            its own folder.
+
+    Raises:
+        UsageError: nothing there.
+        InputError: a list that cannot be used, a folder that cannot be listed.
+    """
+    if not path.exists():
+        raise UsageError(f"{path}: does not exist")
+    if path.is_dir():
+        return _in_tree(path)
+    return tuple(_in_list(path)) if path.suffix.lower() == ".csv" else None
+
+
+def _in_tree(root: Path) -> tuple[Match, ...] | None:
+    videos: list[Path] = []
+    with_pictures: set[Path] = set()
+
+    def refused(error: OSError) -> None:
+        raise InputError(error.filename, f"cannot be listed: {error.strerror}") from error
+
+    for folder, below, files in os.walk(root, onerror=refused):
+        below[:] = [name for name in below if not name.startswith(".")]
+        for name in files:
+            suffix = "" if name.startswith(".") else Path(name).suffix.lower()
+            if suffix in VIDEO_SUFFIXES:
+                videos.append(Path(folder, name))
+            elif suffix in PICTURE_SUFFIXES:
+                with_pictures.add(Path(folder))
+    if not videos or with_pictures - set(map(frames_folder, videos)):
+        return None
+    called = Counter(video.with_suffix("") for video in videos)
+    found = []
+    for video in natsorted(videos):
+        alone = called[video.with_suffix("")] == 1
+        named = video.relative_to(root)
+        found.append(Match((named.with_suffix("") if alone else named).as_posix(), video))
+    return tuple(found)
+
+
+def _in_list(path: Path) -> Iterator[Match]:
+    _, rows = read_table(path, ("video",), _EXPECTED)
+    lines: dict[str, int] = {}
+    for line, row in rows:
+        cells = {name: row.get(name, "").strip() for name in COLUMNS}
+        place = f"line {line}"
+        if not cells["video"]:
+            raise InputError(path, "names no video", place=place)
+        video = path.parent / cells["video"]
+        name = cells["match"] or video.stem
+        if name in lines:
+            why = f"is the second match called {name!r}, beside line {lines[name]}"
+            raise InputError(path, why, place=place, advice="give them different names (match)")
+        if Path(name).is_absolute() or ".." in Path(name).parts:
+            raise InputError(path, f"match {name!r} is no name of a file", place=place)
+        lines[name] = line
+        yield Match(name, video, cells["stadium"], cells["field"], cells["start"])
+    if not lines:
+        raise InputError(path, f"lists no match, expected {_EXPECTED}")
