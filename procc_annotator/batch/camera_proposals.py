@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from dataclasses import field as dataclass_field
 from functools import cache
+from itertools import chain
 from pathlib import Path
 from typing import Protocol
 
@@ -17,6 +19,7 @@ from procc_annotator.batch.serialization import serialize
 from procc_annotator.batch.set_run import SetRun
 from procc_annotator.batch.unit_store import hex_digest, stamp_of_file
 from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.probability import SURE_FROM
 from procc_annotator.calibration.single_image.proposal import (
     SURE,
@@ -34,7 +37,7 @@ from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.dataset.dataset_field import video_pixel_aspect
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.errors import CameraError, InputError, ProccError, UsageError
-from procc_annotator.field.load import field_for_frame
+from procc_annotator.field.load import field_for_frame, stadium_of
 from procc_annotator.field.model import Field, PixelAspect
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.plugins import discover
@@ -263,11 +266,13 @@ class ProposeCameras:
         field: the elements, metres.
         known: where their cameras may be known to stand.
         propose: finds the camera of a picture.
+        of_match: the same of the frames of a match, by `match_of`.
     """
 
     field: Field
     known: tuple[KnownPosition, ...]
     propose: Proposer
+    of_match: Mapping[str, tuple[KnownPosition, ...]] = dataclass_field(default_factory=dict)
 
     def __call__(self, chunk: Sequence[Frame]) -> tuple[list[Proposed], None]:
         return [self._propose(frame) for frame in chunk], None
@@ -279,7 +284,8 @@ class ProposeCameras:
         except InputError as error:
             return Proposed(frame.name, error=str(error))
         field = field_for_frame(self.field, frame.name)
-        proposal = self.propose(picture, field, known=self.known)
+        known = (*self.known, *self.of_match.get(match_of(self.field, frame.name), ()))
+        proposal = self.propose(picture, field, known=known)
         return Proposed(frame.name, proposal, time.perf_counter() - began)
 
 
@@ -315,11 +321,12 @@ class ProposalRun(SetRun[Frame, Proposed, None]):
         field: Field,
         propose: Proposer,
         known: tuple[KnownPosition, ...] = (),
+        of_match: Mapping[str, tuple[KnownPosition, ...]] | None = None,
     ) -> None:
-        super().__init__(frames, ProposeCameras(field, known, propose))
+        super().__init__(frames, ProposeCameras(field, known, propose, of_match or {}))
 
     def _digest(self, chunk: Sequence[Frame]) -> str:
-        parts: list[object] = [serialize(self.task.known)]
+        parts: list[object] = [serialize([self.task.known, dict(self.task.of_match)])]
         for frame in chunk:
             # A frame of a video lies in the video's file.
             file = frame.image_folder if frame.image_folder.is_file() else frame.image_path
@@ -357,13 +364,25 @@ def second_pass(run: ProposalRun, found: Sequence[Proposed]) -> SecondPass | Non
     """Return what a second look at a set, of a run that is done and its results, is to be, if its
     sure frames agree on a position and others may gain by it; the same executor does it."""
     before = {one.name: one for one in found if one.proposal is not None and not one.is_sure}
-    sure = [one.proposal.fit for one in found if one.is_sure and one.proposal is not None]
-    others = [one.proposal.fit for one in before.values() if one.proposal is not None]
-    positions = cluster_fit_positions(sure, run.task.field, others) if before else ()
-    if not positions:
+    field = run.task.field
+    fits: dict[str, tuple[list[FitResult], list[FitResult]]] = {}  # sure ones and others by match
+    for one in found:
+        if one.proposal is not None:
+            own = fits.setdefault(match_of(field, one.name), ([], []))
+            own[0 if one.is_sure else 1].append(one.proposal.fit)
+    positions = {
+        match: places
+        for match, (sure, others) in fits.items()
+        if others and (places := cluster_fit_positions(sure, field, others))
+    }
+    frames = [f for f in run.frames if f.name in before and match_of(field, f.name) in positions]
+    if not frames:
         return None
-    frames = [frame for frame in run.frames if frame.name in before]
-    known = (*run.task.known, *positions)
-    again = ProposalRun(frames, run.task.field, run.task.propose, known)
+    again = ProposalRun(frames, field, run.task.propose, run.task.known, positions)
     again.executor, again.kept = run.executor, run.kept
-    return SecondPass(positions, again, before)
+    return SecondPass(tuple(chain(*positions.values())), again, before)
+
+
+def match_of(field: Field, frame: str) -> str:
+    """Whose tripods a frame shares: its stadium's where that is known, else its folder's."""
+    return stadium_of(field, frame) or frame.rpartition("/")[0]

@@ -13,7 +13,7 @@ from typing import Any, Generic, Protocol, TypeVar
 import cv2
 
 from procc_annotator.batch.execution.executor import Executor
-from procc_annotator.batch.unit_store import FAILED, MOST_TRIES, Unit, UnitStore
+from procc_annotator.batch.unit_store import FAILED, MATCH, MOST_TRIES, Unit, UnitStore
 from procc_annotator.errors import ProccError
 
 R = TypeVar("R")
@@ -134,6 +134,9 @@ class SeasonRun(Generic[R]):
             recover: result of a unit that was done before, if it is not in the store any more.
         """
         waiting = dict(matches)
+        for name in matches if len(matches) > 1 else ():
+            if self.store.unit(f"{name}/{MATCH}") is None:
+                self.store.announce(name, 0)
 
         def units() -> Iterator[WorkUnit | None]:
             while True:

@@ -34,6 +34,7 @@ from procc_annotator.formats.cameras.packed import (
 )
 from procc_annotator.image.decoding import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.image.video import open_shared_video
 
 UNREADABLE = "unreadable"  # state of a frame whose picture cannot be used
 TRACK = "track"  # kind of the units of which the store keeps evidence
@@ -268,6 +269,8 @@ class TrackTask:
             known=unit.known,
             on_frame=self.on_frame,
         )
+        if source.is_video:
+            open_shared_video(source.path).release()
         tracked = [
             lost_frame(one, pictures.damaged[one.number])
             if one.number in pictures.damaged

@@ -72,18 +72,26 @@ class Unit:
 
 
 class MatchUnits(NamedTuple):
-    """The units of a match in one state: how many, the frames and mean evidence of those that have
-    any, seconds of work, and when the last one changed."""
+    """What is known of a match.
+
+    Attributes:
+        state: `DONE` when its file is written. frames: of the match; 0 before it was opened.
+        done, failed: units. tracked: frames of those that are done and have evidence.
+        seconds: of work. evidence: mean over these frames. changed: when its last unit changed.
+    """
 
     match: str
     state: str
-    units: int
     frames: int
+    done: int
+    failed: int
+    tracked: int
     seconds: float
     evidence: float | None
     changed: float
 
 
+MATCH = "match"  # kind of the row that stands for the whole of one
 _COLUMNS = tuple(field.name for field in fields(Unit))
 
 
@@ -128,7 +136,7 @@ class UnitStore:
         """
         found = cls.__new__(cls)
         found.path, found._terms, found._new = path, {}, False
-        found._database = _opened(path, read_only=True)
+        found._database = _opened(path)
         return found
 
     def __contains__(self, key: str) -> bool:
@@ -158,16 +166,35 @@ class UnitStore:
         return (Unit(*row) for row in self._rows(order, state))
 
     def matches(self) -> list[MatchUnits]:
-        """The units of matches, by match and state."""
+        """The matches, in the order of their names."""
+        measured = "CASE WHEN evidence IS NULL THEN 0 ELSE frames END"
         return [
             MatchUnits(*row)
             for row in self._rows(
-                "SELECT match, state, COUNT(*),"
-                " SUM(CASE WHEN evidence IS NULL THEN 0 ELSE frames END), SUM(seconds),"
-                " SUM(evidence * frames) / SUM(CASE WHEN evidence IS NULL THEN 0 ELSE frames END),"
-                " MAX(changed) FROM units GROUP BY match, state ORDER BY match, state"
+                "SELECT match, MAX(CASE WHEN kind = ? THEN state ELSE '' END),"
+                " SUM(CASE WHEN kind = ? THEN frames ELSE 0 END),"
+                " SUM(kind <> ? AND state = ?), SUM(state = ?),"
+                f" SUM({measured}), SUM(seconds), SUM(evidence * frames) / SUM({measured}),"
+                " MAX(changed) FROM units GROUP BY match ORDER BY match",
+                *(MATCH, MATCH, MATCH, DONE, FAILED),
             )
         ]
+
+    def tracked_since(self, time_s: float) -> tuple[int, float]:
+        """Frames with evidence of units that were done since a time, and when the first was."""
+        found = self._rows(
+            "SELECT SUM(frames), MIN(changed - seconds) FROM units"
+            " WHERE evidence IS NOT NULL AND changed > ?",
+            time_s,
+        )
+        return (found[0][0] or 0, found[0][1] or time_s) if found else (0, time_s)
+
+    def announce(self, match: str, frames: int, state: str = WAITING) -> None:
+        """Note a match: that there is one, how many frames it has, that it is done."""
+        self._put(
+            Unit(f"{match}/{MATCH}", match, MATCH, state, 0, frames=frames, changed=time.time()),
+            None,
+        )
 
     def add(self, key: str, result: Any, **about: Any) -> None:
         """Keep what came of a unit, before anything is said of it.
@@ -263,11 +290,11 @@ class UnitStore:
             self._database = None
 
 
-def _opened(path: Path, *, read_only: bool = False) -> sqlite3.Connection:
+def _opened(path: Path) -> sqlite3.Connection:
     try:
         read_head(path, 1)
-        mode = "?mode=ro" if read_only else ""
-        found = sqlite3.connect(f"{path.absolute().as_uri()}{mode}", uri=True, timeout=_BUSY_S)
+        # Also to look at it: a transaction that a kill cut off is rolled back by who opens it next.
+        found = sqlite3.connect(f"{path.absolute().as_uri()}?mode=rw", uri=True, timeout=_BUSY_S)
         version = found.execute("PRAGMA user_version").fetchone()[0]
     except OSError as error:
         raise InputError(path, f"cannot be read: {error.strerror or error}") from error

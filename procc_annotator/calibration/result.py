@@ -22,6 +22,7 @@ from procc_annotator.calibration.optimization.camera_parameters import (
     homography_camera,
     is_fisheye,
     parameter_names,
+    vector_from_camera,
 )
 from procc_annotator.calibration.optimization.camera_placement import (
     camera_placement_prior,
@@ -253,9 +254,12 @@ class FitResult:
         camera is in px of the record's size."""
         try:
             width, height, aspect = (float(v) for v in (*record["size"], record["pixel_aspect"]))
+            if "vector" not in record and isinstance(camera, PinholeCamera):
+                frame = ImageFrame((int(width), int(height)), aspect)
+                record = {**record, "vector": vector_from_camera(camera, frame)}
             vector = np.array(record["vector"], dtype=np.float64)
             covariance = np.array(record["covariance"], dtype=np.float64)
-        except (KeyError, TypeError, ValueError):
+        except (KeyError, TypeError, ValueError, ArithmeticError):
             return None
         known = np.isfinite((width, height, aspect)).all() and min(width, height, aspect) > 0
         free = len(covariance) if covariance.ndim == 2 else 0

@@ -2,37 +2,62 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from procc_annotator.batch.unit_store import FAILED, UnitStore
-from procc_annotator.cli import remarks
+from procc_annotator.cli import outputs, remarks
 from procc_annotator.cli.console import stdout_console
+from procc_annotator.cli.echo import echo
 from procc_annotator.cli.track import STORE_FILE
 from procc_annotator.errors import UsageError
-from procc_annotator.report.tracking import season_table
+from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.report.page.status import status_bytes, status_kind
+from procc_annotator.report.tracking import season_table, season_words
 
 HELP = """\
-OUT is a folder that track writes to, or wrote to; the run may go on meanwhile. A row a match: units
-of work by state, frames followed, frames per second of work in one process, mean share of the
-visible model on paint, when it last changed. Units that were set aside are listed with the reason.
+OUT is a folder that track writes to, or wrote to; the run may go on meanwhile. A row a match: its
+state, frames, frames tracked, units of work that are done and that were set aside, frames per
+second of work in one process, mean share of the visible model on paint, when it last changed. Then
+how much is done, how fast it went in the last half hour, what is left, and the cost, if --price
+says what an hour of work in one process costs. Units that were set aside are listed with the
+reason.
 
 Exit code: 0; 1 if units were set aside.
 """
 
 EXAMPLE = """\
-  procc-annotator status tracked/
+  procc-annotator status tracked/ --price 0.05 --output status.html
 """
 
 Out = Annotated[Path, typer.Argument(help="Folder that track writes to.")]
 
 
-def status(out: Out) -> None:
+Price = Annotated[
+    float | None,
+    typer.Option(min=0.0, metavar="COST", help="Of an hour of work in one process, for the costs."),
+]
+
+
+Output = Annotated[
+    list[Path] | None,
+    typer.Option("--output", "-o", metavar="FILE", help="Write .html, .csv or .json; repeatable."),
+]
+
+
+def status(out: Out, price: Price = None, output: Output = None) -> None:
+    files = outputs.output_files(output, status_kind)
     if not (out / STORE_FILE).exists():
         raise UsageError(f"{out}: holds no {STORE_FILE} (expected a folder that track writes to)")
     with UnitStore.read(out / STORE_FILE) as store:
-        stdout_console().print(season_table(store))
+        sheet, words = season_table(store.matches()), season_words(store, time.time(), price)
         failed = [f"{unit.key}: {unit.error}" for unit in store.units(FAILED)]
+    stdout_console().print(sheet)
+    echo(words)
+    for file in files:
+        write_atomic(file, status_bytes(file, out.name, sheet, words, failed))
+        echo(f"written: {file}")
     raise typer.Exit(remarks.report_unreadable(failed, "set aside"))

@@ -22,7 +22,7 @@ from procc_annotator.batch.match_tracking import (
 )
 from procc_annotator.batch.season_run import Attempt, Plan, SeasonRun
 from procc_annotator.batch.tracking import TRACK, UNREADABLE, TrackTask, TrackUnit
-from procc_annotator.batch.unit_store import FAILED, UnitStore, field_settings, hex_digest
+from procc_annotator.batch.unit_store import DONE, FAILED, UnitStore, field_settings, hex_digest
 from procc_annotator.calibration.single_image.proposal import KnownPosition
 from procc_annotator.calibration.tracking.shot_tracker import track_shot as follow_shot
 from procc_annotator.calibration.tracking.track import MIN_COVERAGE, TrackedFrame
@@ -164,7 +164,7 @@ def track(
         try:
             stadiums = {match.name: match.stadium for match in matches}
             for name, found in run.run(stadiums, tracking.begin, tracking.recover):
-                tracking.write(name, found)
+                store.announce(name, tracking.write(name, found), DONE)
                 store.forget(name, TRACK)
         except KeyboardInterrupt:
             raise KeyboardInterrupt(
@@ -175,7 +175,7 @@ def track(
             f"set aside: {unit.key}: {unit.error}" for unit in store.units(FAILED)
         ]
         if season:
-            stdout_console().print(season_table(store))
+            stdout_console().print(season_table(store.matches()))
     raise typer.Exit(remarks.report_unreadable(problems))
 
 
@@ -316,8 +316,9 @@ class _Tracking:
         path = self.path(name)
         return read_packed(read_file(path), str(path)) if path.exists() else None
 
-    def write(self, name: str, found: TrackedMatch) -> None:
-        """Write what a match came to, with the shots that were followed before."""
+    def write(self, name: str, found: TrackedMatch) -> int:
+        """Write what a match came to, with the shots that were followed before; returns how many
+        frames it has."""
         cameras, before = found.cameras, self._written(name)
         if before is not None and len(cameras) < len(self._names[name]):
             cameras = cameras.merged(before, self._names[name])
@@ -333,7 +334,7 @@ class _Tracking:
             if state == UNREADABLE
         ]
         _report(name, cameras, found.jumps, self.path(name), alone=len(self._matches) == 1)
-        del self._names[name]
+        return len(self._names.pop(name))
 
     def on_frame(self, progress: Progress) -> Callable[[TrackedFrame], None]:
         """Tells of frames as they are followed, in this process."""

@@ -146,12 +146,18 @@ class Video:
                 self._index = read_packet_index(self._path, self._first.times)
             return self._index
 
+    def release(self) -> None:
+        """Give back decoded frames and the decoder; the next frame opens another one."""
+        with self._lock:
+            if self._reader is not None:
+                self._reader.close()
+                self._reader = None
+
     def close(self) -> None:
         """Close the file; requesting a frame is an error from now on."""
         with self._lock:
             self._closed = True
-            if self._reader is not None:
-                self._reader.close()
+            self.release()
 
     def _error(self, number: int, problem: str) -> ImageError:
         return ImageError(self._path, problem, place=f"frame {number}")

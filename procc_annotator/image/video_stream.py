@@ -41,7 +41,7 @@ _Flags = NDArray[np.bool_]
 _NEARBY_PACKETS = 48
 # Read backwards, frames are decoded from the key frame before them: as many are kept, as they come
 # out of the decoder (4:2:0).
-_BACKWARD_BYTES, _BYTES_PER_PIXEL = 256 << 20, 1.5
+_BACKWARD_BYTES, _BYTES_PER_PIXEL = 128 << 20, 1.5
 _COMPARED_PACKETS = (
     12  # frames that must come out in the order of their times before these are trusted
 )

@@ -9,7 +9,7 @@ from itertools import groupby
 
 import numpy as np
 
-from procc_annotator.batch.unit_store import DONE, FAILED, UnitStore
+from procc_annotator.batch.unit_store import DONE, MatchUnits, UnitStore
 from procc_annotator.formats.cameras.packed import PackedCameras
 from procc_annotator.messages import pluralize
 from procc_annotator.report.tables.metrics import COVERAGE, RESIDUAL
@@ -22,7 +22,8 @@ from procc_annotator.report.tables.table import (
 )
 
 STATES = ("anchor", "followed", "bridged", "lost")
-_SHOWN = 20
+_SHOWN, _SHOWN_MATCHES = 20, 1000
+_RECENT_S = 1800.0  # over which the speed is measured
 
 
 def shots_table(cameras: PackedCameras) -> MetricTable:
@@ -83,26 +84,68 @@ def tracked_words(cameras: PackedCameras) -> str:
     )
 
 
-def season_table(store: UnitStore) -> MetricTable:
-    """A row a match: units by state, frames followed, speed, evidence, and when it changed last."""
+def season_table(matches: Sequence[MatchUnits]) -> MetricTable:
+    """A row a match: its state, frames, units, speed, evidence, and when it changed last."""
     columns = (
         Column("match", "match"),
-        *map(count_column, ("done", "waiting", "failed", "frames")),
+        Column("state", "state"),
+        *map(count_column, ("frames", "tracked", "units", "failed")),
         Column("frames_per_cpu_s", "frames/s", "number", written=".1f"),
         metric_column(COVERAGE),
         Column("changed", "changed"),
     )
     rows = []
-    for match, own in groupby(store.matches(), key=lambda row: row.match):
-        states = {row.state: row for row in own}
-        counts = (states[s].units if s in states else 0 for s in (DONE, "waiting", FAILED))
-        done = states.get(DONE)
-        frames, seconds = (done.frames, done.seconds) if done else (0, 0.0)
-        changed = max(row.changed for row in states.values())
-        rows.append((
-            match, *counts, frames, frames / seconds if seconds else None,
-            done.evidence if done else None,
-            time.strftime("%Y-%m-%d %H:%M", time.localtime(changed)),
-        ))  # fmt: skip
-    title = f"{pluralize(len(rows), 'match', 'matches')}"
-    return MetricTable("season", title, columns, tuple(rows))
+    for one in matches:
+        begun = one.done or one.failed
+        state = DONE if one.state == DONE else "begun" if begun else "waiting"
+        speed = one.tracked / one.seconds if one.seconds else None
+        changed = _clock(one.changed) if begun else None
+        counts = one.frames or None, _tracked(one), one.done, one.failed
+        rows.append((one.match, state, *counts, speed, one.evidence, changed))
+    title = pluralize(len(rows), "match", "matches")
+    return shortened(MetricTable("season", title, columns, tuple(rows)), _SHOWN_MATCHES)
+
+
+def _tracked(match: MatchUnits) -> int:
+    """Frames that were tracked; those that neighbouring pieces share count once when all are."""
+    return min(match.tracked, match.frames or match.tracked)
+
+
+def _clock(time_s: float) -> str:
+    return time.strftime("%Y-%m-%d %H:%M", time.localtime(time_s))
+
+
+def season_words(store: UnitStore, now: float, price: float | None = None) -> str:
+    """How much is done, how fast it goes, and what is left.
+
+    Args:
+        now: seconds since 1970. price: of an hour of work in one process, for the costs.
+    """
+    matches = store.matches()
+    opened = [one.frames for one in matches if one.frames]
+    total = sum(opened) + (len(matches) - len(opened)) * (sum(opened) / max(len(opened), 1))
+    done = sum(one.state == DONE for one in matches)
+    tracked, seconds = sum(map(_tracked, matches)), sum(one.seconds for one in matches)
+    total = max(total, tracked)
+    about = "about " if len(opened) < len(matches) else ""
+    said = [
+        f"{done} of {pluralize(len(matches), 'match', 'matches')} done, {tracked} of"
+        f" {about}{total:.0f} frames tracked"
+    ]
+    recent, since = store.tracked_since(now - _RECENT_S)
+    if recent:
+        speed = recent / max(now - since, 1.0)
+        said.append(f"{speed:.1f} frames/s, about {_duration((total - tracked) / speed)} left")
+    hours = seconds / 3600
+    left = (total - tracked) / tracked * hours if tracked else 0.0
+    said.append(f"{hours:.1f} hours of work in one process, about {left:.1f} to come")
+    if price is not None:
+        said.append(f"cost {hours * price:.2f}, about {left * price:.2f} to come")
+    return "; ".join(said)
+
+
+def _duration(seconds: float) -> str:
+    for unit, length in (("days", 86400.0), ("hours", 3600.0), ("minutes", 60.0)):
+        if seconds >= 2 * length:
+            return f"{seconds / length:.0f} {unit}"
+    return f"{seconds:.0f} s"

@@ -170,6 +170,17 @@ def test_sure_frames_tell_the_others_where_the_camera_stands(cli, bare, pretend,
     assert [rows[n]["known_position"] for n in NAMES] == ["false"] * 3 + ["true", "false"]
 
 
+def test_matches_do_not_tell_each_other_where_cameras_stand(cli, bare, pretend, fits, tmp_path):
+    """Each folder of a tree is a match, of another stadium for all that is known."""
+    season = tmp_path / "season"
+    for match in ("1", "2"):
+        shutil.copytree(bare.root, season / match)
+    first = [proposal(fits[name], "sure") for name in NAMES[:3]] + [none()] * 2
+    finder = pretend([*first, *[none()] * 5, *[none()] * 2])
+    cli("propose", season, tmp_path / "out", "--workers", 1)
+    assert [len(known) for known in finder.known] == [0] * 10 + [1] * 2
+
+
 @pytest.mark.parametrize("given", ["cameras", "positions"])
 def test_known_positions(cli, bare, pretend, tmp_path, given):
     known = bare.cameras

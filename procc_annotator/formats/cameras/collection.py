@@ -264,7 +264,9 @@ class CameraCollection:
                 frames[frame] = file
         self._records = found
         self.shots = {frame: s for records in found.values() for frame, s in records.shots.items()}
-        self.frames = ByFrame((frame, frames[frame]) for frame in natsorted(frames))
+        in_order = found and all(records.shots for records in found.values())
+        named = frames if in_order else natsorted(frames)
+        self.frames = ByFrame((frame, frames[frame]) for frame in named)
         remarks = (remark for records in found.values() for remark in records.notices)
         self.remarks = (*self.remarks, *dict.fromkeys(remarks))
         self.passed_over = [e for records in found.values() for e in records.passed_over]

@@ -165,7 +165,8 @@ class PackedCameras:
                 "pixel_aspect": float(self.pixel_aspect[row]),
                 "covariance": _symmetric(lower).tolist(),
             }
-        return LoadedCamera(camera, "pinhole", size, {FIT_KEY: fit} if fit else {})
+        extra = {FIT_KEY: fit} if fit else {}
+        return LoadedCamera(camera, "pinhole", size, extra, content=extra)
 
 
 _TEXTS = ("frame", "shot", "state", "reason", "clicks")
@@ -242,10 +243,10 @@ def _column(arrays: Any, name: str) -> Any:
     return column.astype(np.float64)
 
 
-def packed_records(content: object, path: str) -> CameraRecords | None:
-    """The frames with a camera of decoded content."""
+def packed_records(content: object, path: str) -> CameraRecords:
+    """The frames with a camera of decoded content; CameraError if that is something else."""
     if not isinstance(content, PackedCameras):
-        return None
+        raise CameraError(path, f"holds no array {_MARK}, expected a file that track wrote")
     cameras = content
 
     def read(row: Any, path: str, place: str) -> LoadedCamera:
