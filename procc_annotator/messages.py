@@ -51,6 +51,7 @@ def condensed(remarks: Mapping[str, int]) -> dict[str, int]:
 # What each is for, and the library that it brings.
 EXTRAS = {
     "dask": ("a Dask cluster", "distributed"),
+    "cloud": ("object stores", "fsspec"),
 }
 
 

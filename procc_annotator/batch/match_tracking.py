@@ -101,7 +101,7 @@ def track_match(match: MatchToTrack) -> Generator[Units, Results, TrackedMatch]:
     ]
     pixels = PixelUnit(match.name, match.pictures, match.stamp, match.field_key)
     cuts = yield [*parts, *([pixels] if match.field.pixels is None else [])]
-    match = replace(match, pixels=cuts.get(pixels.key))
+    match = replace(match, pixels=cuts.get(pixels.key) or match.pixels)
     begins = sorted({n for own in cuts.values() if isinstance(own, list) for n in own})
     shots = [range(first, past) for first, past in pairwise([0, *begins, count])]
     if match.only is not None:

@@ -13,7 +13,7 @@ from typing import Any, Generic, Protocol, TypeVar
 import cv2
 
 from procc_annotator.batch.execution.executor import Executor
-from procc_annotator.batch.unit_store import FAILED, MATCH, MOST_TRIES, Unit, UnitStore
+from procc_annotator.batch.unit_store import FAILED, MATCH, MOST_TRIES, WAITING, Unit, UnitStore
 from procc_annotator.errors import ProccError
 
 R = TypeVar("R")
@@ -95,7 +95,7 @@ class SeasonRun(Generic[R]):
 
     Attributes:
         store: of units. executor: who does them.
-        on_attempt: called with what came of each unit.
+        on_attempt: called with what came of each unit, and what is kept of it.
     """
 
     def __init__(
@@ -104,7 +104,7 @@ class SeasonRun(Generic[R]):
         store: UnitStore,
         executor: Executor,
         evidence: Callable[[Any], float | None] = lambda _: None,
-        on_attempt: Callable[[Attempt], None] = lambda _: None,
+        on_attempt: Callable[[Attempt, Unit], None] = lambda *_: None,
     ) -> None:
         """Nothing is done yet.
 
@@ -144,8 +144,15 @@ class SeasonRun(Generic[R]):
                     yield self._ready.popleft()
                 elif (name := self._startable(waiting, matches)) is not None:
                     del waiting[name]
-                    self._under_way[name] = _Round(begin(name))
-                    self._advance(name, None, recover)
+                    try:
+                        self._under_way[name] = _Round(begin(name))
+                    except ProccError as error:
+                        if len(matches) == 1:
+                            raise
+                        key, why = f"{name}/{MATCH}", str(error)
+                        self.store.fail(Unit(key, name, MATCH, tries=MOST_TRIES, error=why))
+                    else:
+                        self._advance(name, None, recover)
                 elif self._under_way:
                     yield None
                 else:
@@ -184,15 +191,15 @@ class SeasonRun(Generic[R]):
             "tries": 1 + (before.tries if before else 0),
             "seconds": attempt.seconds + (before.seconds if before else 0.0),
         }
-        self.on_attempt(attempt)
         if attempt.error:
-            self.store.fail(Unit(unit.key, error=attempt.error, **about))
-            if about["tries"] < MOST_TRIES:
-                self._ready.append(unit)
-                return
+            kept = self.store.fail(Unit(unit.key, error=attempt.error, **about))
         else:
             evidence = self._evidence(attempt.result)
-            self.store.add(unit.key, attempt.result, evidence=evidence, **about)
+            kept = self.store.add(unit.key, attempt.result, evidence=evidence, **about)
+        self.on_attempt(attempt, kept)
+        if kept.state == WAITING:
+            self._ready.append(unit)
+            return
         now = self._under_way[unit.match]
         now.results[unit.key] = attempt.result
         now.missing.discard(unit.key)

@@ -22,6 +22,7 @@ from procc_annotator.calibration.tracking.track import Track, TrackedFrame
 from procc_annotator.camera.base import Camera
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.dataset.computed_cameras import review_reason
+from procc_annotator.dataset.remote_files import local_path
 from procc_annotator.dataset.sequence import PictureSource, find_cuts, open_pictures
 from procc_annotator.errors import ImageError
 from procc_annotator.field.load import field_for_stadium, stadium_of
@@ -243,7 +244,7 @@ class TrackTask:
         Raises:
             InputError: a video that cannot be read.
         """
-        pictures = _opened(unit.pictures)
+        pictures = _opened(local_path(unit.pictures))
         if isinstance(unit, CutUnit):
             return find_cuts(pictures, unit.numbers)
         if isinstance(unit, PixelUnit):

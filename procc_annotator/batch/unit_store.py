@@ -196,7 +196,7 @@ class UnitStore:
             None,
         )
 
-    def add(self, key: str, result: Any, **about: Any) -> None:
+    def add(self, key: str, result: Any, **about: Any) -> Unit:
         """Keep what came of a unit, before anything is said of it.
 
         Args:
@@ -206,12 +206,12 @@ class UnitStore:
             SaveError: the disk is full, say.
         """
         data = None if result is None else serialize(result)
-        self._put(Unit(key, changed=time.time(), **about), data)
+        return self._put(Unit(key, changed=time.time(), **about), data)
 
-    def fail(self, unit: Unit) -> None:
+    def fail(self, unit: Unit) -> Unit:
         """Keep that a try failed."""
         state = WAITING if unit.tries < MOST_TRIES else FAILED
-        self._put(replace(unit, state=state, changed=time.time()), None)
+        return self._put(replace(unit, state=state, changed=time.time()), None)
 
     def forget(self, match: str, kind: str) -> None:
         """Drop the results of a match whose file is written; its units stay."""
@@ -244,7 +244,7 @@ class UnitStore:
         except sqlite3.Error as error:
             raise _damaged(self.path, error) from error
 
-    def _put(self, unit: Unit, result: str | None) -> None:
+    def _put(self, unit: Unit, result: str | None) -> Unit:
         marks = ", ".join("?" * (len(_COLUMNS) + 1))
         columns = ", ".join((*_COLUMNS, "result"))
         self._write(
@@ -252,6 +252,7 @@ class UnitStore:
             *(getattr(unit, name) for name in _COLUMNS),
             result,
         )
+        return unit
 
     def _write(self, statement: str, *values: object) -> None:
         try:

@@ -27,6 +27,7 @@ from procc_annotator.dataset.diagnostics import (
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.layout import (
     annotations_of,
+    find_pictures,
     has_pictures,
     has_pictures_below,
     pictures_in,
@@ -42,7 +43,8 @@ from procc_annotator.errors import UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap, read_label_map
 from procc_annotator.formats.file_listing import list_annotations
-from procc_annotator.formats.file_source import FileSource, open_source
+from procc_annotator.formats.file_source import FileSource, open_source, suffix_of
+from procc_annotator.image.archive import is_archive_file
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
 Dataset = Annotated[
@@ -119,6 +121,10 @@ def _is_unpictured(path: Path) -> bool:
 
 
 def _is_pictured(path: Path) -> bool:
+    if is_archive_file(path):
+        with open_source(path) as source:
+            others = {suffix_of(name) for name in source.tree()} - PICTURE_SUFFIXES - {".tar"}
+        return not others and bool(find_pictures(path).folders)
     if path.is_file():
         return path.suffix.lower() in PICTURE_SUFFIXES
     return path.is_dir() and bool(

@@ -8,6 +8,7 @@ from pathlib import Path
 import typer
 
 from procc_annotator.cli.echo import echo
+from procc_annotator.dataset.remote_files import remove_copies
 from procc_annotator.dataset.season import Match, list_matches
 from procc_annotator.errors import ProccError
 from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
@@ -45,4 +46,5 @@ def for_each_match(source: Path, once: Callable[[Match | None], None]) -> None:
         except ProccError as error:
             echo(f"{match.name}: {error}", err=True)
             code = 1
+        remove_copies(match.pictures)
     raise typer.Exit(code)

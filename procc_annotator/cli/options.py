@@ -258,7 +258,7 @@ PosedModel = Annotated[
     typer.Option("--model", "-m", metavar="P|R|R+|R2|F|auto", help="Camera to fit to each frame."),
 ]
 PicturesOrVideo = Annotated[
-    Path, typer.Argument(help="Folder of pictures, one picture, or a video.")
+    Path, typer.Argument(help="Folder or archive of pictures, one picture, a video, or their URL.")
 ]
 Every = Annotated[int, typer.Option(min=1, metavar="N", help="Every N-th frame only.")]
 Resume = Annotated[

@@ -13,6 +13,7 @@ from procc_annotator.cli import outputs, remarks
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.track import STORE_FILE
+from procc_annotator.dataset.remote_files import working_folder
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.report.page.status import status_bytes, status_kind
@@ -50,6 +51,7 @@ Output = Annotated[
 
 def status(out: Out, price: Price = None, output: Output = None) -> None:
     files = outputs.output_files(output, status_kind)
+    out = working_folder(out)
     if not (out / STORE_FILE).exists():
         raise UsageError(f"{out}: holds no {STORE_FILE} (expected a folder that track writes to)")
     with UnitStore.read(out / STORE_FILE) as store:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import json
+import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from contextlib import ExitStack
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -21,8 +24,15 @@ from procc_annotator.batch.match_tracking import (
     track_match,
 )
 from procc_annotator.batch.season_run import Attempt, Plan, SeasonRun
-from procc_annotator.batch.tracking import TRACK, UNREADABLE, TrackTask, TrackUnit
-from procc_annotator.batch.unit_store import DONE, FAILED, UnitStore, field_settings, hex_digest
+from procc_annotator.batch.tracking import TRACK, UNREADABLE, TrackTask, TrackUnit, ignore_progress
+from procc_annotator.batch.unit_store import (
+    DONE,
+    FAILED,
+    Unit,
+    UnitStore,
+    field_settings,
+    hex_digest,
+)
 from procc_annotator.calibration.single_image.proposal import KnownPosition
 from procc_annotator.calibration.tracking.shot_tracker import track_shot as follow_shot
 from procc_annotator.calibration.tracking.track import MIN_COVERAGE, TrackedFrame
@@ -30,6 +40,8 @@ from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.matches import place_of_match
+from procc_annotator.dataset import remote_files
+from procc_annotator.dataset.dataset_field import with_dataset_pixels
 from procc_annotator.dataset.season import Match, list_matches
 from procc_annotator.dataset.sequence import PictureSource, open_pictures
 from procc_annotator.errors import UsageError
@@ -44,9 +56,10 @@ from procc_annotator.report.tracking import gaps_table, season_table, shots_tabl
 STORE_FILE = "track.sqlite"
 
 HELP = """\
-SOURCE is a video, whose frames are named as the window names them (match_000123), a folder of
-consecutive pictures, or a season: a folder in which videos lie, or a .csv with a row a match:
-video, match, stadium, field, start (all but the first may be absent). Each is cut into its shots,
+SOURCE is a video, whose frames are named as the window names them (match_000123), a folder, .zip
+or .tar of consecutive pictures, or a season: a folder in which such files lie, or a .csv with a row
+a match: video, match, stadium, field, start (all but the first may be absent). With the extra cloud
+these, and OUT, may be URLs (docs/season.md). Each is cut into its shots,
 these into pieces of at most a minute; in each the camera is followed forwards and backwards from
 the frames whose camera is known: annotated ones (--annotations) and those of files (--cameras), of
 a season from folders called like the matches. The track passes through them. Where none is known,
@@ -76,7 +89,7 @@ EXAMPLE = """\
 """
 
 Source = Annotated[
-    Path, typer.Argument(help="Video, folder of consecutive pictures or of videos, or a list.")
+    Path, typer.Argument(help="Video, folder or archive of pictures, season, or a URL of one.")
 ]
 Out = Annotated[Path, typer.Argument(help="Folder to write the cameras to.")]
 Annotations = Annotated[
@@ -110,6 +123,14 @@ Only = Annotated[
         metavar="|".join(ONLY), help="Which pieces: missing ones, or those also that failed or ..."
     ),
 ]
+LOGS = ("text", "json")
+_LOGGED = ("match", "kind", "state", "tries", "frames", "evidence", "error")
+Log = Annotated[
+    str, typer.Option(metavar="|".join(LOGS), help="How lines on units of work are written.")
+]
+Cache = Annotated[
+    Path | None, typer.Option("--cache", metavar="DIR", help="Where files of URLs are kept.")
+]
 Overwrite = Annotated[
     bool, typer.Option("--overwrite", help="Follow again what OUT has a track of.")
 ]
@@ -128,44 +149,63 @@ def track(
     dask: options.Dask = None,
     only: Only = "missing",
     overwrite: Overwrite = False,
+    log: Log = "text",
+    cache: Cache = None,
 ) -> None:
-    if only not in ONLY:
-        raise UsageError(f"--only {only}: expected {', '.join(ONLY)}")
+    for option, value, known in ("only", only, ONLY), ("log", log, LOGS):
+        if value not in known:
+            raise UsageError(f"--{option} {value}: expected {', '.join(known)}")
     for given in (annotations, cameras):
         if given is not None and not given.exists():
             raise UsageError(f"{given}: does not exist")
+    if cache is not None:
+        os.environ[remote_files.CACHE_VARIABLE] = str(cache.absolute())
     season = list_matches(source)
-    matches = season or (Match(source.stem if source.is_file() else source.name, source),)
+    name = source.name if source.is_dir() else remote_files.file_name(source).stem
+    matches = season or (Match(name, source),)
     if season and begin is not None:
         raise UsageError("--from is for the frames of one video")
+    url, out = out, remote_files.working_folder(out)
     outputs.check_camera_folder(out, [source, annotations, cameras])
-    known = _Anchors(
+    anchors = _Anchors(
         annotations, cameras, camera_format, options.shown_size(camera_size), bool(season)
     )
-    tracking = _Tracking(matches, out, field_options, known, begin)
+    tracking = _Tracking(matches, out, field_options, anchors, begin)
     store_file = out / STORE_FILE
+    if url != out:
+        echo(f"note: {store_file} is uploaded at the end", err=True)
     if not overwrite:
         _require_free(out, matches, store_file)
     with (
+        ExitStack() as at_end,
         UnitStore(store_file, tracking.terms, resume=not overwrite) as store,
         make_executor(workers or (None if dask else 1), dask) as executor,
         progress_bar("following") as progress,
     ):
+        at_end.callback(remote_files.upload, url, STORE_FILE)
         store.restart(
             failed=only == "failed", evidence_below=MIN_COVERAGE if only == "doubtful" else None
         )
         told = isinstance(executor, InProcess)
         task = TrackTask(
-            tracking.fields, follow_shot, tracking.on_frame(progress) if told else _ignore
+            tracking.fields, follow_shot, tracking.on_frame(progress) if told else ignore_progress
         )
         run = SeasonRun[TrackedMatch](
-            task, store, executor, _evidence, partial(tracking.attempted, progress, told)
+            task, store, executor, _evidence, partial(tracking.attempted, progress, told, log)
         )
         try:
-            stadiums = {match.name: match.stadium for match in matches}
+            done = {one.match for one in store.matches() if one.state == DONE}
+            done = set() if only != "missing" or annotations or cameras else done
+            stadiums = {
+                match.name: match.stadium
+                for match in matches
+                if match.name not in done or not tracking.is_kept(match)
+            }
             for name, found in run.run(stadiums, tracking.begin, tracking.recover):
                 store.announce(name, tracking.write(name, found), DONE)
                 store.forget(name, TRACK)
+                remote_files.upload(url, f"{name}{PACKED_SUFFIX}")
+                remote_files.remove_copies(tracking.matches[name].pictures)
         except KeyboardInterrupt:
             raise KeyboardInterrupt(
                 f"{pluralize(len(store), 'unit')} of the work are kept in {store_file}; run it"
@@ -177,10 +217,6 @@ def track(
         if season:
             stdout_console().print(season_table(store.matches()))
     raise typer.Exit(remarks.report_unreadable(problems))
-
-
-def _ignore(_: TrackedFrame) -> None:
-    """No one asks."""
 
 
 def _evidence(result: Any) -> float | None:
@@ -256,7 +292,7 @@ class _Tracking:
         anchors: _Anchors,
         start: str | None,
     ) -> None:
-        self._matches = {match.name: match for match in matches}
+        self.matches = {match.name: match for match in matches}
         self._out, self._given, self._anchors, self._start = out, given, anchors, start
         self.fields = {
             match.name: options.chosen_field(
@@ -284,7 +320,7 @@ class _Tracking:
 
     def begin(self, name: str) -> Plan[TrackedMatch]:
         """The plan of a match."""
-        match, shown = self._matches[name], self.fields[name]
+        match, shown = self.matches[name], self.fields[name]
         annotations = self._anchors.place(self._anchors.annotations, match)
         pictures = open_pictures(match.pictures, annotations)
         remarks.report_remarks(pictures.notices)
@@ -292,14 +328,28 @@ class _Tracking:
         anchors = self._anchors.of(match, pictures, shown, self._given)
         self.problems += anchors.errors
         self._names[name] = names = tuple(frame.name for frame in pictures.frames)
+        url = remote_files.url_of(match.pictures)
+        place = match.pictures if url else pictures.path.absolute()
+        pixels = shown.pixels or with_dataset_pixels(shown, pictures.path).pixels
         return track_match(
             MatchToTrack(
-                name, pictures.path.absolute(), pictures.stamp(), shown, name, names,
+                name, place, pictures.stamp(), replace(shown, pixels=pixels), name, names,
                 anchors.cameras, anchors.clicks,
-                self._known.get(match.stadium, ()) if match.stadium else (),
+                self._known.get(match.stadium, ()) if match.stadium else (), pixels,
                 only=None if self._start is None else _number_of(self._start, names),
             )
         )  # fmt: skip
+
+    def is_kept(self, match: Match) -> bool:
+        """Return whether a match that is done need not be fetched from its URL to be left alone."""
+        there = self._written(match.name) if remote_files.url_of(match.pictures) else None
+        self._know(match, there)
+        return there is not None
+
+    def _know(self, match: Match, cameras: PackedCameras | None) -> None:
+        if match.stadium and cameras is not None:
+            places = find_positions([cameras])
+            self._known[match.stadium] = places or self._known.get(match.stadium, ())
 
     def recover(self, unit: Any) -> PackedCameras | None:
         """A piece that was followed before, from the file of its match."""
@@ -324,16 +374,13 @@ class _Tracking:
             cameras = cameras.merged(before, self._names[name])
         make_folder(self.path(name).parent)
         write_atomic(self.path(name), cameras.encoded())
-        match = self._matches[name]
-        if match.stadium:
-            places = find_positions([cameras])
-            self._known[match.stadium] = places or self._known.get(match.stadium, ())
+        self._know(self.matches[name], cameras)
         self.problems += [
             reason
             for state, reason in zip(cameras.state, cameras.reason, strict=True)
             if state == UNREADABLE
         ]
-        _report(name, cameras, found.jumps, self.path(name), alone=len(self._matches) == 1)
+        _report(name, cameras, found.jumps, self.path(name), alone=len(self.matches) == 1)
         return len(self._names.pop(name))
 
     def on_frame(self, progress: Progress) -> Callable[[TrackedFrame], None]:
@@ -345,13 +392,19 @@ class _Tracking:
 
         return followed
 
-    def attempted(self, progress: Progress, told: bool, attempt: Attempt) -> None:
+    def attempted(
+        self, progress: Progress, told: bool, log: str, attempt: Attempt, kept: Unit
+    ) -> None:
         """Tell of a unit that was tried."""
         unit = attempt.unit
         if not told and unit.kind == TRACK:
             self._frames += unit.frames
             progress(min(self._frames, self._total), self._total)
-        if attempt.error or not sys.stderr.isatty():
+        if log == "json":
+            about = {name: getattr(kept, name) for name in _LOGGED}
+            about |= {"time": kept.changed, "unit": kept.key, "seconds": attempt.seconds}
+            echo(json.dumps(about), err=True)
+        elif attempt.error or not sys.stderr.isatty():
             what = attempt.error or f"{unit.frames} frames in {attempt.seconds:.1f} s"
             echo(f"{unit.match}: {unit.kind} {unit.key.split('/')[-1]}: {what}", err=True)
 

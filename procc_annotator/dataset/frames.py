@@ -26,6 +26,7 @@ from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, OWN_FILES, 
 from procc_annotator.formats.file_source import read_optional, suffix_of, walk
 from procc_annotator.formats.frame_names import PICTURE_FOLDERS, ByFrame, FrameTable
 from procc_annotator.formats.unread_formats import unread_format
+from procc_annotator.image.archive import is_archive_file
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES, is_turned_jpeg
 from procc_annotator.messages import list_names
 
@@ -166,8 +167,10 @@ def list_frames(
 ) -> tuple[Path, tuple[Frame, ...], tuple[str, ...]]:
     """List a dataset's pictures in natural order, see `find_pictures`, or take a single picture.
 
+    Annotations of pictures in an archive lie next to it, as those of a video: `frames_folder`.
+
     Args:
-        path: folder or picture.
+        path: folder, archive or picture.
         annotations: folder of the annotation files, if it is not where it would be looked for.
 
     Returns:
@@ -179,6 +182,8 @@ def list_frames(
     """
     if path.is_dir():
         root, found = path, find_pictures(path)
+    elif is_archive_file(path):
+        root, found, annotations = path, find_pictures(path), annotations or frames_folder(path)
     elif not path.exists():
         raise UsageError(f"{path}: no such file or folder")
     elif path.suffix.lower() in VIDEO_SUFFIXES:
@@ -204,7 +209,7 @@ def list_frames(
         notices.append(f"{list_names(turned, 'frame')}: shown turned, as EXIF data of the file say")
     if annotations is None and not found.in_tree and not listing.beside_others:
         notices += _not_used(root, found.only_folder, frames)
-    return root, frames, tuple(notices)
+    return frames_folder(path) if is_archive_file(path) else root, frames, tuple(notices)
 
 
 class _Listing:

@@ -7,6 +7,7 @@ import shutil
 import tempfile
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from pathlib import Path
 
 import msgspec
@@ -17,10 +18,11 @@ from procc_annotator.dataset.diagnostics import camera_suffixes
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.formats.annotations.label_map import LABELS_FILE
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER, CAMERA_PREFIX, list_annotations
-from procc_annotator.formats.file_source import FileSource, open_source, suffix_of, walk
+from procc_annotator.formats.file_source import FileSource, in_folders, open_source, suffix_of, walk
 from procc_annotator.formats.frame_names import PICTURE_FOLDERS
 from procc_annotator.formats.landmark_file import LANDMARKS_FILE
 from procc_annotator.formats.strict_json import strip_bom
+from procc_annotator.image.archive import ARCHIVE_SUFFIXES, is_archive_file, pictures_in_archive
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.resources import data_folder
 
@@ -66,16 +68,21 @@ class PictureTree:
 
 
 def find_pictures(root: Path) -> PictureTree:
-    """The pictures at the top of a folder; of a folder without any those of the folders below it,
-    where what was kept of a video does not count.
+    """The pictures at the top of a folder or archive; of one without any those of the folders below
+    it, where what was kept of a video does not count.
 
     Pictures that all lie in one folder just below are called as if they lay at the top.
     `InputError` if the folder itself cannot be listed, or the tree is too deep or too large.
     """
-    if top := pictures_in(root):
-        return PictureTree((("", tuple(top)),))
     unread: list[InputError] = []
-    found = tuple(_below(root, unread.append))
+    if is_archive_file(root):
+        found = tuple(_in_archive(root))
+    elif top := pictures_in(root):
+        found = (("", tuple(top)),)
+    else:
+        found = tuple(_below(root, unread.append))
+    if found and not found[0][0]:
+        return PictureTree(found[:1])
     folders = [folder for folder, _ in found]
     container = _container(root, folders)
     rest = [folder.removeprefix(container) for folder in folders]
@@ -90,7 +97,9 @@ def _container(root: Path, folders: Sequence[str]) -> str:
     known = sorted((f"{name}/" for name in PICTURE_FOLDERS), key=len, reverse=True)
     inside = (name for name in known if folders and all(f.startswith(name) for f in folders))
     found = next(inside, "")
-    beside = (name for folder in folders if found for name in os.listdir(root / folder))
+    beside = (
+        name for folder in folders if found and root.is_dir() for name in os.listdir(root / folder)
+    )
     return "" if any(suffix_of(name) == ".json" for name in beside) else found
 
 
@@ -112,6 +121,12 @@ def _below(
             continue
         if pictures := pictures_in(root / folder):
             yield folder, tuple(pictures)
+
+
+def _in_archive(path: Path) -> Iterator[tuple[str, tuple[str, ...]]]:
+    names = in_folders(pictures_in_archive(path)[0])
+    for folder, group in groupby(names, key=lambda name: name[: name.rfind("/") + 1]):
+        yield folder, tuple(name.removeprefix(folder) for name in group)
 
 
 def video_frames_folder_name(name: str) -> str:
@@ -155,7 +170,6 @@ FRAMES_FILE = "frames.csv"
 STADIUMS_FILE = "stadiums.csv"
 
 _LOOKED_INTO = 20
-_ARCHIVES = frozenset({".zip"})
 _ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
 OWN_FILES_AND_FOLDERS = (
     FIELD_FILE,
@@ -210,7 +224,7 @@ def folder_of_dataset(place: Path) -> Path | None:
             a video, or the folder of one: its frames are a dataset of their own.
     """
     if not place.is_dir():
-        if not place.is_file() or place.suffix.lower() in _ARCHIVES:
+        if not place.is_file() or place.suffix.lower() in ARCHIVE_SUFFIXES:
             return None
         if place.suffix.lower() in VIDEO_SUFFIXES:
             return frames_folder(place)

@@ -1,4 +1,4 @@
-"""The matches of a season: a tree of videos, or a list of them."""
+"""The matches of a season: a tree of videos and archives of frames, or a list of them."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from pathlib import Path
 
 from natsort import natsorted
 
-from procc_annotator.dataset.layout import frames_folder
+from procc_annotator.dataset.layout import find_pictures, frames_folder
+from procc_annotator.dataset.remote_files import file_name, local_path, url_of
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.csv_tables import read_table
+from procc_annotator.image.archive import ARCHIVE_SUFFIXES
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
 COLUMNS = ("video", "match", "stadium", "field", "start")
@@ -21,11 +23,11 @@ _EXPECTED = f"a list of matches: columns {', '.join(COLUMNS)}, of which the last
 
 @dataclass(frozen=True)
 class Match:
-    """A video, or a folder of consecutive pictures.
+    """A video, or a folder or archive of consecutive pictures.
 
     Attributes:
         name: distinguishes it in its season, without a suffix; may contain slashes.
-        pictures: the video or folder.
+        pictures: the video, archive or folder, or a URL.
         stadium: name of it, whose tripods and dimensions its matches share; empty if unknown.
         field: name or file of a field; empty for that of the command.
         start: when it began, as it is written.
@@ -43,18 +45,21 @@ def list_matches(path: Path) -> tuple[Match, ...] | None:
     for those kept of its videos.
 
     Args:
-        path: folder in which videos lie, at any depth, or a ``.csv`` that lists them, relative to
-            its own folder.
+        path: folder in which videos and archives of pictures lie, at any depth, or a ``.csv`` that
+            lists them, relative to its own folder; or a URL.
 
     Raises:
         UsageError: nothing there.
         InputError: a list that cannot be used, a folder that cannot be listed.
     """
+    if url_of(path):
+        is_list = file_name(path).suffix.lower() == ".csv"
+        return tuple(_in_list(local_path(path), path.parent)) if is_list else None
     if not path.exists():
         raise UsageError(f"{path}: does not exist")
     if path.is_dir():
         return _in_tree(path)
-    return tuple(_in_list(path)) if path.suffix.lower() == ".csv" else None
+    return tuple(_in_list(path, path.parent)) if path.suffix.lower() == ".csv" else None
 
 
 def _in_tree(root: Path) -> tuple[Match, ...] | None:
@@ -68,7 +73,8 @@ def _in_tree(root: Path) -> tuple[Match, ...] | None:
         below[:] = [name for name in below if not name.startswith(".")]
         for name in files:
             suffix = "" if name.startswith(".") else Path(name).suffix.lower()
-            if suffix in VIDEO_SUFFIXES:
+            packed = suffix in ARCHIVE_SUFFIXES and find_pictures(Path(folder, name)).folders
+            if suffix in VIDEO_SUFFIXES or packed:
                 videos.append(Path(folder, name))
             elif suffix in PICTURE_SUFFIXES:
                 with_pictures.add(Path(folder))
@@ -83,7 +89,7 @@ def _in_tree(root: Path) -> tuple[Match, ...] | None:
     return tuple(found)
 
 
-def _in_list(path: Path) -> Iterator[Match]:
+def _in_list(path: Path, folder: Path) -> Iterator[Match]:
     _, rows = read_table(path, ("video",), _EXPECTED)
     lines: dict[str, int] = {}
     for line, row in rows:
@@ -91,8 +97,9 @@ def _in_list(path: Path) -> Iterator[Match]:
         place = f"line {line}"
         if not cells["video"]:
             raise InputError(path, "names no video", place=place)
-        video = path.parent / cells["video"]
-        name = cells["match"] or video.stem
+        video = Path(cells["video"])
+        video = video if url_of(video) else folder / video
+        name = cells["match"] or file_name(video).stem
         if name in lines:
             why = f"is the second match called {name!r}, beside line {lines[name]}"
             raise InputError(path, why, place=place, advice="give them different names (match)")

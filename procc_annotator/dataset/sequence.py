@@ -21,11 +21,13 @@ from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.diagnostics import found_instead_of_pictures
 from procc_annotator.dataset.frames import Frame, list_frames, video_frame
 from procc_annotator.dataset.layout import frames_folder
+from procc_annotator.dataset.remote_files import local_path
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import ImageError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap
 from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.image.archive import is_archive_file, pictures_in_archive
 from procc_annotator.image.decoding import decode_bgra, decode_thumbnail
 from procc_annotator.image.headers import VIDEO_SUFFIXES
 from procc_annotator.image.motion import (
@@ -71,7 +73,7 @@ class PictureSource:
     def stamp(self) -> str:
         """Return what another content would change: a digest of size and time of the files."""
         digest = hashlib.sha256()
-        for path in [self.path] if self.is_video else [f.image_path for f in self.frames]:
+        for path in [self.path] if self.path.is_file() else [f.image_path for f in self.frames]:
             found = os.stat(path)
             said = f"{path.name} {found.st_size} {found.st_mtime_ns} "
             digest.update(said.encode("utf-8", "surrogatepass"))
@@ -85,19 +87,20 @@ class PictureSource:
 
 
 def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
-    """The pictures of a folder in natural order, one picture, or all frames of a video.
+    """The pictures of a folder or archive in natural order, one picture, or all frames of a video.
 
     Nothing is made on the disk, and of a video only the timestamps are read.
 
     Args:
-        path: folder, picture or video.
+        path: folder, archive, picture or video; or a URL of one of the last three.
         annotations: folder of the annotation files, if it is not where it would be looked for.
 
     Raises:
         UsageError: nothing there, a file of another kind, or a folder without pictures.
         ImageError: a video that cannot be opened.
-        InputError: a folder that cannot be listed.
+        InputError: a folder that cannot be listed, a URL that cannot be read.
     """
+    path = local_path(path)
     whole = Path(os.path.abspath(path))
     if not path.exists():
         raise UsageError(f"{path}: does not exist")
@@ -115,7 +118,9 @@ def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
     found = tuple(
         replace(frame, image_folder=Path(os.path.abspath(frame.image_folder))) for frame in frames
     )
-    return PictureSource(path, root, found, notices=notices)
+    lacks = pictures_in_archive(path)[1] if is_archive_file(path) else ""
+    problems = (f"{path}: {lacks}",) if lacks else ()
+    return PictureSource(path, root, found, notices=notices, problems=problems)
 
 
 FEWEST = 10  # pictures of a folder that are called consecutive: a few are compared by eye

@@ -8,12 +8,12 @@ import stat
 import struct
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache, partial
 from pathlib import Path, PurePosixPath
 from typing import Protocol, Self
 
-from natsort import natsort_keygen, natsorted
+from natsort import natsorted
 
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.frame_names import escapes_folder
@@ -122,6 +122,13 @@ def is_listed(name: str) -> bool:
     return (
         bool(parts) and _RESOURCE_FORKS not in parts and not any(p.startswith(".") for p in parts)
     )
+
+
+def in_folders(names: Iterable[str]) -> list[str]:
+    """Files in natural order as `walk` gives them: a folder's own before those of folders in it."""
+    parts = map(os.path.split, names)
+    order = natsorted(parts, key=lambda own: [own[0].split("/"), *os.path.splitext(own[1])])
+    return [f"{folder}/{name}".lstrip("/") for folder, name in order]
 
 
 # What a release keeps next to the folder of its annotations.
@@ -352,13 +359,7 @@ class ZipSource(OpenedSource):
         names = self._members()
         if any(name.count("/") > DEEPEST for name in names):
             raise too_deep_message(self.path)
-        by_folder: dict[str, list[str]] = {}
-        for name in names:
-            by_folder.setdefault(name.rpartition("/")[0], []).append(name)
-        natural = natsort_keygen()
-        # As `walk` gives them: a folder's own files before those of the folders in it.
-        order = sorted(by_folder, key=lambda folder: [natural(part) for part in folder.split("/")])
-        return [name for folder in order for name in natsorted(by_folder[folder])]
+        return in_folders(names)
 
     def _members(self) -> list[str]:
         return [n for n in self._stored if not n.endswith("/") and is_listed(n)]

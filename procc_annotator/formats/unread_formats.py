@@ -70,7 +70,8 @@ UNREAD_FORMATS: tuple[UnreadFormat, ...] = (
        " example with ImageMagick: magick IN.heic OUT.png", (".heic", ".heif", ".jxl", ".exr",
        ".cr2", ".cr3", ".nef", ".arw", ".dng", ".raf", ".rw2", ".psd", ".dpx", ".svg", ".tga",
        ".ico")),
-    _U("an archive other than zip", "unpack it", (".gz", ".bz2", ".xz", ".7z", ".rar", ".tar",
+    _U("an archive other than zip", "unpack it; frames are also read from a .tar that is not"
+       " compressed (gunzip)", (".gz", ".bz2", ".xz", ".7z", ".rar", ".tar",
        ".tgz")),
     _U("pickles, which may run any program", _NUMPY, (".pkl", ".pickle", ".p", ".pt",
        ".pth")),

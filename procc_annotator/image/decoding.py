@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 
 from procc_annotator.errors import ImageError
+from procc_annotator.image.archive import archive_of_path, read_member
 from procc_annotator.image.headers import (
     count_gif_frames,
     count_tiff_pages,
@@ -135,6 +136,8 @@ def read_size(path: Path) -> tuple[int, int]:
 
 
 def _read(path: Path) -> PixelArray:
+    if (packed := archive_of_path(path)) is not None:
+        return np.frombuffer(read_member(*packed), dtype=np.uint8)
     try:
         # cv2.imread cannot open every name on Windows; reading the bytes ourselves can.
         with open_regular(path) as file:

@@ -153,6 +153,34 @@ def test_a_season_is_the_matches_one_by_one(cli, video, cameras, whole, tmp_path
     assert all(same(tracked(tmp_path / "listed", name), tracked(whole)) for name in ("one", "two"))
 
 
+def test_a_season_of_urls_goes_to_a_url(cli, video, pictures, cameras, whole, tmp_path):
+    """A video and an archive; done matches are not fetched again, and units are logged as JSON."""
+    store = tmp_path / "store"
+    shutil.copytree(cameras, tmp_path / "given/one")
+    shutil.copytree(cameras, tmp_path / "given/two")
+    shutil.make_archive(str(store / "pictures"), "tar", pictures)
+    shutil.copyfile(video, store / "match.mp4")
+    listed = store / "season.csv"
+    rows = f"{(store / 'match.mp4').as_uri()},one\ngone.mp4,gone\npictures.tar,two\n"
+    listed.write_text(f"video,match\n{rows}")
+    given = "--cameras", tmp_path / "given", "--cache", tmp_path / "cache", "--log", "json"
+    out = Path((tmp_path / "out").as_uri())
+    done = cli("track", Path(listed.as_uri()), out, *given, "--workers", 2, code=1)
+    assert "store/gone.mp4: cannot be transferred: no such file" in done.stderr
+    lines = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
+    assert {line["match"] for line in lines} == {"one", "two"}
+    assert {(line["state"], line["tries"], line["error"]) for line in lines} == {("done", 1, "")}
+    assert all(line["evidence"] > 0.9 for line in lines if line["kind"] == "track")
+    assert all(same(tracked(tmp_path / "out", name), tracked(whole)) for name in ("one", "two"))
+    assert not list((tmp_path / "cache/copies").glob("*/*[4r]"))  # mp4, tar
+    shutil.rmtree(tmp_path / "cache")
+    (store / "pictures.tar").unlink()
+    shutil.copyfile(video, store / "gone.mp4")
+    again = cli("track", Path(listed.as_uri()), out, *given[2:])
+    assert "3 matches" in again.stdout
+    assert "gone" in cli("status", out).stdout
+
+
 def test_a_unit_that_fails_three_times_is_set_aside_and_tried_again_when_asked(
     cli, video, cameras, whole, monkeypatch, tmp_path
 ):
