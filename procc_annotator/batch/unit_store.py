@@ -26,6 +26,7 @@ from procc_annotator.regular_file import read_head
 from procc_annotator.version import __version__
 
 DONE, FAILED, WAITING = "done", "failed", "waiting"
+SOURCE = "source"  # of the terms: a run may go on with pictures that were moved
 MOST_TRIES = 3  # a unit that failed so often is set aside
 _BUSY_S = 30.0  # that a reader may hold up the writer
 _VERSION = 1
@@ -90,6 +91,17 @@ class MatchUnits(NamedTuple):
     evidence: float | None
     changed: float
 
+    @property
+    def progress(self) -> str:
+        """``waiting``, ``begun`` or ``done``."""
+        begun = "begun" if self.done or self.failed else WAITING
+        return DONE if self.state == DONE else begun
+
+    @property
+    def frames_tracked(self) -> int:
+        """As `tracked`; frames that neighbouring pieces share count once when all are."""
+        return min(self.tracked, self.frames or self.tracked)
+
 
 MATCH = "match"  # kind of the row that stands for the whole of one
 _COLUMNS = tuple(field.name for field in fields(Unit))
@@ -120,7 +132,7 @@ class UnitStore:
             InputError: it cannot be read.
         """
         self.path = path
-        self._terms = {**terms, "version": __version__, "numpy": np.__version__}
+        self.terms = {**terms, "version": __version__, "numpy": np.__version__}
         self._database: sqlite3.Connection | None = None
         self._new = not (resume and path.exists())
         if not self._new:
@@ -135,8 +147,8 @@ class UnitStore:
             InputError: it cannot be read.
         """
         found = cls.__new__(cls)
-        found.path, found._terms, found._new = path, {}, False
-        found._database = _opened(path)
+        found.path, found._new, found._database = path, False, _opened(path)
+        found.terms = dict(found._rows("SELECT name, value FROM terms"))
         return found
 
     def __contains__(self, key: str) -> bool:
@@ -269,16 +281,16 @@ class UnitStore:
         found = sqlite3.connect(self.path, timeout=_BUSY_S)
         with found:
             found.executescript(_SCHEMA)
-            found.executemany("INSERT INTO terms VALUES (?, ?)", self._terms.items())
+            found.executemany("INSERT INTO terms VALUES (?, ?)", self.terms.items())
         return found
 
     def _check(self) -> None:
         before = dict(self._rows("SELECT name, value FROM terms"))
-        for name in dict.fromkeys((*self._terms, *before)):
-            if before.get(name) != self._terms.get(name):
+        for name in dict.fromkeys((*self.terms, *before)):
+            if name != SOURCE and before.get(name) != self.terms.get(name):
                 raise UsageError(
                     f"{self.path.parent}: what is there was begun with another {name}"
-                    f" ({before.get(name) or 'none'}, now {self._terms.get(name) or 'none'}); ask"
+                    f" ({before.get(name) or 'none'}, now {self.terms.get(name) or 'none'}); ask"
                     " for the same to go on, or begin anew with --overwrite"
                 )
 

@@ -130,7 +130,8 @@ def _qt_folder() -> Path | None:
 
 
 HELP = """\
-PATH is a folder of pictures (or its field.toml), one picture, a video, or nothing. The word "open"
+PATH is a folder of pictures (or its field.toml), one picture, a video, a season (a folder in which
+videos lie, a .csv that lists them, or a folder that track writes to), or nothing. The word "open"
 may be left out.
 
 With --selftest the program tries itself: the window opens (out of sight, unless QT_QPA_PLATFORM
@@ -152,7 +153,7 @@ class OpenOptions:
     """Options of `open`."""
 
     path: Annotated[
-        Path | None, typer.Argument(help="Folder of pictures, one picture, or a video.")
+        Path | None, typer.Argument(help="Folder of pictures, one picture, a video or a season.")
     ] = None
     annotations: Annotated[
         Path | None,

@@ -12,8 +12,8 @@ from procc_annotator.batch.unit_store import FAILED, UnitStore
 from procc_annotator.cli import outputs, remarks
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.track import STORE_FILE
 from procc_annotator.dataset.remote_files import working_folder
+from procc_annotator.dataset.season import STORE_FILE
 from procc_annotator.errors import UsageError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.report.page.status import status_bytes, status_kind

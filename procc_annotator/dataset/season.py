@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,9 +15,11 @@ from procc_annotator.dataset.layout import find_pictures, frames_folder
 from procc_annotator.dataset.remote_files import file_name, local_path, url_of
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.csv_tables import read_table
+from procc_annotator.formats.file_source import suffix_of, walk
 from procc_annotator.image.archive import ARCHIVE_SUFFIXES
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
+STORE_FILE = "track.sqlite"  # in the folder that track writes to
 COLUMNS = ("video", "match", "stadium", "field", "start")
 _EXPECTED = f"a list of matches: columns {', '.join(COLUMNS)}, of which the last four may be absent"
 
@@ -38,6 +41,22 @@ class Match:
     stadium: str = ""
     field: str = ""
     start: str = ""
+
+
+def is_list(path: Path) -> bool:
+    """Return whether a path may list matches: a CSV, or a folder that ``track`` writes to."""
+    return path.suffix.lower() == ".csv" or (path / STORE_FILE).is_file()
+
+
+def kinds_met_first(path: Path) -> frozenset[str]:
+    """Suffixes of pictures, videos and archives in the first folder that has some, from a folder
+    down, or of a file its own."""
+    wanted = PICTURE_SUFFIXES | VIDEO_SUFFIXES | ARCHIVE_SUFFIXES
+    with suppress(InputError):  # said when it is opened
+        for _, names in walk(path) if path.is_dir() else [("", [path.name])]:
+            if kinds := wanted.intersection(map(suffix_of, names)):
+                return kinds
+    return frozenset()
 
 
 def list_matches(path: Path) -> tuple[Match, ...] | None:

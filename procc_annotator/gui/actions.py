@@ -79,6 +79,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Annotate a single picture"),
     _spec("File", "open_video", "Open video…", "", "opening.open_video",
           "Annotate frames of a video without extracting them first"),
+    _spec("File", "season", "Season…", "", "opening.season.read_again",
+          "List the matches of a season (a folder in which videos lie) to open one of them"),
     _spec("File", "open_sample", "Open the sample", "", "opening.open_sample",
           "Open your own copy of the frames that come with the program"),
     _spec("File", "open_second", "-Open second annotator…", "", "opening.open_second",

@@ -238,6 +238,7 @@ class MainWindow(QMainWindow):
         services = self.services
         services.store.watch(select.frame, self._refresh_frame)
         services.store.watch(select.frame, self._fit_below_bars)
+        self.opening.camerasTracked.connect(self.source_memory.add)
         self.opening.secondChosen.connect(services.second_annotator.open)
         self.services.second_annotator.opened.connect(self._show_second)
         for panel in (self.elements, self.frames, self.review, self.landmarks):

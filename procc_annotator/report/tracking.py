@@ -96,19 +96,12 @@ def season_table(matches: Sequence[MatchUnits]) -> MetricTable:
     )
     rows = []
     for one in matches:
-        begun = one.done or one.failed
-        state = DONE if one.state == DONE else "begun" if begun else "waiting"
         speed = one.tracked / one.seconds if one.seconds else None
-        changed = _clock(one.changed) if begun else None
-        counts = one.frames or None, _tracked(one), one.done, one.failed
-        rows.append((one.match, state, *counts, speed, one.evidence, changed))
+        changed = _clock(one.changed) if one.done or one.failed else None
+        counts = one.frames or None, one.frames_tracked, one.done, one.failed
+        rows.append((one.match, one.progress, *counts, speed, one.evidence, changed))
     title = pluralize(len(rows), "match", "matches")
     return shortened(MetricTable("season", title, columns, tuple(rows)), _SHOWN_MATCHES)
-
-
-def _tracked(match: MatchUnits) -> int:
-    """Frames that were tracked; those that neighbouring pieces share count once when all are."""
-    return min(match.tracked, match.frames or match.tracked)
 
 
 def _clock(time_s: float) -> str:
@@ -125,7 +118,8 @@ def season_words(store: UnitStore, now: float, price: float | None = None) -> st
     opened = [one.frames for one in matches if one.frames]
     total = sum(opened) + (len(matches) - len(opened)) * (sum(opened) / max(len(opened), 1))
     done = sum(one.state == DONE for one in matches)
-    tracked, seconds = sum(map(_tracked, matches)), sum(one.seconds for one in matches)
+    tracked = sum(one.frames_tracked for one in matches)
+    seconds = sum(one.seconds for one in matches)
     total = max(total, tracked)
     about = "about " if len(opened) < len(matches) else ""
     said = [

@@ -1022,61 +1022,6 @@
    <translation>hier keine Kamera</translation>
   </message>
   <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Helligkeit</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Kontrast</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Gamma</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Linien verstärken</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Abgenutzte und beschattete Linien hervorholen</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Zurücksetzen</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Das Bild zeigen, wie es ist</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Nur was Sie sehen, ändert sich, nie die Datei</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Alle Werte verschieben</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Werte um das mittlere Grau spreizen</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Nach rechts werden dunkle Teile heller</translation>
-  </message>
-  <message>
    <source>next: {title}</source>
    <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>als Nächstes: {title}</translation>
@@ -2909,6 +2854,99 @@ Verliert {loses}.</translation>
    <translation>Bild mit Überlagerung nach {path} geschrieben</translation>
   </message>
   <message>
+   <source>waiting</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>wartet</translation>
+  </message>
+  <message>
+   <source>begun</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>begonnen</translation>
+  </message>
+  <message>
+   <source>done</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>fertig</translation>
+  </message>
+  <message>
+   <source>Match</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Spiel</translation>
+  </message>
+  <message>
+   <source>Stadium</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Stadion</translation>
+  </message>
+  <message>
+   <source>Start</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Beginn</translation>
+  </message>
+  <message>
+   <source>State</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Stand</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Bilder</translation>
+  </message>
+  <message>
+   <source>Tracked</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Verfolgt</translation>
+  </message>
+  <message>
+   <source>On paint</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Auf Farbe</translation>
+  </message>
+  <message>
+   <source>Failed units</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Gescheiterte Einheiten</translation>
+  </message>
+  <message>
+   <source>Season</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Saison</translation>
+  </message>
+  <message>
+   <source>Search: match, stadium, state</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Suche: Spiel, Stadion, Stand</translation>
+  </message>
+  <message>
+   <source>Tracked cameras…</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Verfolgte Kameras …</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} matches</source>
+   <extracomment>{n:,} match / {n:,} matches [procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Spiel</numerusform>
+    <numerusform>{n:,} Spiele</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>The folder that track writes to</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Der Ordner, in den track schreibt</translation>
+  </message>
+  <message>
+   <source>Matches</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Spiele</translation>
+  </message>
+  <message>
+   <source>open a season first: a folder in which videos lie, or a list of them</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>zuerst eine Saison öffnen: einen Ordner, in dem Videos liegen, oder eine Liste von ihnen</translation>
+  </message>
+  <message>
    <source>it is annotated by now</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>es ist inzwischen annotiert</translation>
@@ -3307,11 +3345,6 @@ Verliert {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>Gruppen von Bildern</translation>
-  </message>
-  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} gruppiert ab jetzt {sizes}</translation>
@@ -3343,11 +3376,6 @@ Verliert {loses}.</translation>
    <translation>Ansichten gruppieren</translation>
   </message>
   <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>Muster der Bildnamen</translation>
-  </message>
-  <message>
    <source>{file} is there already: {sizes}.</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} gibt es schon: {sizes}.</translation>
@@ -3361,6 +3389,16 @@ Verliert {loses}.</translation>
    <source>Keep these groups in the dataset's folder</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>Diese Gruppen im Ordner des Datensatzes behalten</translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Gruppen von Bildern</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Muster der Bildnamen</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -4948,11 +4986,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Nichts passt zu „{query}“.</translation>
   </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Bilder</translation>
-  </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
    <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
@@ -6400,6 +6433,61 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>laden Sie einen zweiten Kamerasatz zum Vergleichen (Strg+L)</translation>
   </message>
   <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Helligkeit</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Kontrast</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Gamma</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Abgenutzte und beschattete Linien hervorholen</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Nur was Sie sehen, ändert sich, nie die Datei</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Zurücksetzen</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Alle Werte verschieben</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Werte um das mittlere Grau spreizen</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Nach rechts werden dunkle Teile heller</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Linien verstärken</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Das Bild zeigen, wie es ist</translation>
+  </message>
+  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Eigene Tasten</translation>
@@ -7504,6 +7592,16 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <source>Annotate frames of a video without extracting them first</source>
    <extracomment>[the action open_video]</extracomment>
    <translation>Bilder eines Videos annotieren, ohne sie vorher herauszuschreiben</translation>
+  </message>
+  <message>
+   <source>Season…</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>Saison …</translation>
+  </message>
+  <message>
+   <source>List the matches of a season (a folder in which videos lie) to open one of them</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>Die Spiele einer Saison (eines Ordners, in dem Videos liegen) auflisten, um eines zu öffnen</translation>
   </message>
   <message>
    <source>Open the sample</source>

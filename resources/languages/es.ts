@@ -1022,61 +1022,6 @@
    <translation>aquí no hay cámara</translation>
   </message>
   <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Brillo</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Contraste</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Gamma</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Realce de líneas</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Resaltar líneas gastadas y en sombra</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Restablecer</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Mostrar la imagen tal como es</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Solo cambia lo que usted ve, nunca el archivo</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Desplazar todos los valores</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Estirar los valores en torno al gris medio</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Hacia la derecha, las partes oscuras se aclaran</translation>
-  </message>
-  <message>
    <source>next: {title}</source>
    <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>siguiente: {title}</translation>
@@ -2909,6 +2854,99 @@ Pierde {loses}.</translation>
    <translation>imagen superpuesta escrita en {path}</translation>
   </message>
   <message>
+   <source>waiting</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>en espera</translation>
+  </message>
+  <message>
+   <source>begun</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>empezado</translation>
+  </message>
+  <message>
+   <source>done</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>terminado</translation>
+  </message>
+  <message>
+   <source>Match</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Partido</translation>
+  </message>
+  <message>
+   <source>Stadium</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Estadio</translation>
+  </message>
+  <message>
+   <source>Start</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Inicio</translation>
+  </message>
+  <message>
+   <source>State</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Estado</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Imágenes</translation>
+  </message>
+  <message>
+   <source>Tracked</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Seguidos</translation>
+  </message>
+  <message>
+   <source>On paint</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Sobre pintura</translation>
+  </message>
+  <message>
+   <source>Failed units</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Unidades fallidas</translation>
+  </message>
+  <message>
+   <source>Season</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Temporada</translation>
+  </message>
+  <message>
+   <source>Search: match, stadium, state</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Buscar: partido, estadio, estado</translation>
+  </message>
+  <message>
+   <source>Tracked cameras…</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Cámaras seguidas…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} matches</source>
+   <extracomment>{n:,} match / {n:,} matches [procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} partido</numerusform>
+    <numerusform>{n:,} partidos</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>The folder that track writes to</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>La carpeta en la que escribe track</translation>
+  </message>
+  <message>
+   <source>Matches</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Partidos</translation>
+  </message>
+  <message>
+   <source>open a season first: a folder in which videos lie, or a list of them</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>abra primero una temporada: una carpeta con vídeos o una lista de ellos</translation>
+  </message>
+  <message>
    <source>it is annotated by now</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>ya está anotada entretanto</translation>
@@ -3307,11 +3345,6 @@ Pierde {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>Grupos de imágenes</translation>
-  </message>
-  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} agrupa {sizes} desde ahora</translation>
@@ -3343,11 +3376,6 @@ Pierde {loses}.</translation>
    <translation>Agrupar vistas</translation>
   </message>
   <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>Patrón de los nombres de las imágenes</translation>
-  </message>
-  <message>
    <source>{file} is there already: {sizes}.</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} ya existe: {sizes}.</translation>
@@ -3361,6 +3389,16 @@ Pierde {loses}.</translation>
    <source>Keep these groups in the dataset's folder</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>Conservar estos grupos en la carpeta del conjunto</translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Grupos de imágenes</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Patrón de los nombres de las imágenes</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -4948,11 +4986,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Nada coincide con «{query}».</translation>
   </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Imágenes</translation>
-  </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
    <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
@@ -6400,6 +6433,61 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>cargue un segundo conjunto de cámaras para comparar (Ctrl+L)</translation>
   </message>
   <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Brillo</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Contraste</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Gamma</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Resaltar líneas gastadas y en sombra</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Solo cambia lo que usted ve, nunca el archivo</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Restablecer</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Desplazar todos los valores</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Estirar los valores en torno al gris medio</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Hacia la derecha, las partes oscuras se aclaran</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Realce de líneas</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Mostrar la imagen tal como es</translation>
+  </message>
+  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Teclas propias</translation>
@@ -7504,6 +7592,16 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <source>Annotate frames of a video without extracting them first</source>
    <extracomment>[the action open_video]</extracomment>
    <translation>Anotar imágenes de un vídeo sin extraerlas antes</translation>
+  </message>
+  <message>
+   <source>Season…</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>Temporada…</translation>
+  </message>
+  <message>
+   <source>List the matches of a season (a folder in which videos lie) to open one of them</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>Listar los partidos de una temporada (una carpeta con vídeos) para abrir uno de ellos</translation>
   </message>
   <message>
    <source>Open the sample</source>

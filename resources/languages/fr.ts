@@ -1022,61 +1022,6 @@
    <translation>pas de caméra ici</translation>
   </message>
   <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Luminosité</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Contraste</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Gamma</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Rehausser les lignes</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Faire ressortir les lignes usées ou dans l’ombre</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Réinitialiser</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Montrer l’image telle qu’elle est</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Seul ce que vous voyez change, jamais le fichier</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Décaler toutes les valeurs</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Étirer les valeurs autour du gris moyen</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>Vers la droite, les parties sombres s’éclaircissent</translation>
-  </message>
-  <message>
    <source>next: {title}</source>
    <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>suivant : {title}</translation>
@@ -2909,6 +2854,99 @@ Perd {loses}.</translation>
    <translation>image superposée écrite dans {path}</translation>
   </message>
   <message>
+   <source>waiting</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>en attente</translation>
+  </message>
+  <message>
+   <source>begun</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>commencé</translation>
+  </message>
+  <message>
+   <source>done</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>terminé</translation>
+  </message>
+  <message>
+   <source>Match</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Match</translation>
+  </message>
+  <message>
+   <source>Stadium</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Stade</translation>
+  </message>
+  <message>
+   <source>Start</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Début</translation>
+  </message>
+  <message>
+   <source>State</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>État</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Images</translation>
+  </message>
+  <message>
+   <source>Tracked</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Suivies</translation>
+  </message>
+  <message>
+   <source>On paint</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Sur la peinture</translation>
+  </message>
+  <message>
+   <source>Failed units</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Unités échouées</translation>
+  </message>
+  <message>
+   <source>Season</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Saison</translation>
+  </message>
+  <message>
+   <source>Search: match, stadium, state</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Chercher : match, stade, état</translation>
+  </message>
+  <message>
+   <source>Tracked cameras…</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Caméras suivies…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} matches</source>
+   <extracomment>{n:,} match / {n:,} matches [procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} match</numerusform>
+    <numerusform>{n:,} matchs</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>The folder that track writes to</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Le dossier dans lequel track écrit</translation>
+  </message>
+  <message>
+   <source>Matches</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>Matchs</translation>
+  </message>
+  <message>
+   <source>open a season first: a folder in which videos lie, or a list of them</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>ouvrez d’abord une saison : un dossier qui contient des vidéos, ou une liste de celles-ci</translation>
+  </message>
+  <message>
    <source>it is annotated by now</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>elle est annotée entre-temps</translation>
@@ -3307,11 +3345,6 @@ Perd {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>Groupes d’images</translation>
-  </message>
-  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} groupe désormais {sizes}</translation>
@@ -3343,11 +3376,6 @@ Perd {loses}.</translation>
    <translation>Grouper les vues</translation>
   </message>
   <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>Motif des noms d’images</translation>
-  </message>
-  <message>
    <source>{file} is there already: {sizes}.</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} existe déjà : {sizes}.</translation>
@@ -3361,6 +3389,16 @@ Perd {loses}.</translation>
    <source>Keep these groups in the dataset's folder</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>Garder ces groupes dans le dossier du jeu</translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Groupes d’images</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Motif des noms d’images</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -4948,11 +4986,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Rien ne correspond à « {query} ».</translation>
   </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Images</translation>
-  </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
    <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
@@ -6400,6 +6433,61 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>chargez un second jeu de caméras pour comparer (Ctrl+L)</translation>
   </message>
   <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Luminosité</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Contraste</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Gamma</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Faire ressortir les lignes usées ou dans l’ombre</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Seul ce que vous voyez change, jamais le fichier</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Réinitialiser</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Décaler toutes les valeurs</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Étirer les valeurs autour du gris moyen</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Vers la droite, les parties sombres s’éclaircissent</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Rehausser les lignes</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>Montrer l’image telle qu’elle est</translation>
+  </message>
+  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>Vos propres touches</translation>
@@ -7504,6 +7592,16 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <source>Annotate frames of a video without extracting them first</source>
    <extracomment>[the action open_video]</extracomment>
    <translation>Annoter les images d’une vidéo sans les extraire auparavant</translation>
+  </message>
+  <message>
+   <source>Season…</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>Saison…</translation>
+  </message>
+  <message>
+   <source>List the matches of a season (a folder in which videos lie) to open one of them</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>Lister les matchs d’une saison (un dossier qui contient des vidéos) pour en ouvrir un</translation>
   </message>
   <message>
    <source>Open the sample</source>

@@ -1012,61 +1012,6 @@
    <translation>ここにはカメラなし</translation>
   </message>
   <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>明るさ</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>コントラスト</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>ガンマ</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>線の強調</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>擦れた線や影の中の線を際立たせます</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>リセット</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>画像をそのまま表示します</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>変わるのは見え方だけで、ファイルは変わりません</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>すべての値をずらします</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>中間の灰色を中心に値を広げます</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>右へ動かすと暗い部分が明るくなります</translation>
-  </message>
-  <message>
    <source>next: {title}</source>
    <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>次：{title}</translation>
@@ -2858,6 +2803,98 @@ Loses {loses}.</source>
    <translation>重ね描き画像を {path} に書き出しました</translation>
   </message>
   <message>
+   <source>waiting</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>待機中</translation>
+  </message>
+  <message>
+   <source>begun</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>処理中</translation>
+  </message>
+  <message>
+   <source>done</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>完了</translation>
+  </message>
+  <message>
+   <source>Match</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>試合</translation>
+  </message>
+  <message>
+   <source>Stadium</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>スタジアム</translation>
+  </message>
+  <message>
+   <source>Start</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>開始</translation>
+  </message>
+  <message>
+   <source>State</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>状態</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>フレーム</translation>
+  </message>
+  <message>
+   <source>Tracked</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>追跡済み</translation>
+  </message>
+  <message>
+   <source>On paint</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>塗りとの一致</translation>
+  </message>
+  <message>
+   <source>Failed units</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>失敗した単位</translation>
+  </message>
+  <message>
+   <source>Season</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>シーズン</translation>
+  </message>
+  <message>
+   <source>Search: match, stadium, state</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>検索：試合、スタジアム、状態</translation>
+  </message>
+  <message>
+   <source>Tracked cameras…</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>追跡したカメラ…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} matches</source>
+   <extracomment>{n:,} match / {n:,} matches [procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 試合</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>The folder that track writes to</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>track が書き込むフォルダー</translation>
+  </message>
+  <message>
+   <source>Matches</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>試合</translation>
+  </message>
+  <message>
+   <source>open a season first: a folder in which videos lie, or a list of them</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>先にシーズンを開いてください：動画のあるフォルダー、またはその一覧</translation>
+  </message>
+  <message>
    <source>it is annotated by now</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>すでに注釈されました</translation>
@@ -3244,11 +3281,6 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>フレームのグループ</translation>
-  </message>
-  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>以後 {file} が{sizes}をまとめます</translation>
@@ -3278,11 +3310,6 @@ Loses {loses}.</source>
    <translation>ビューをまとめる</translation>
   </message>
   <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>フレーム名のパターン</translation>
-  </message>
-  <message>
    <source>{file} is there already: {sizes}.</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} はすでにあります：{sizes}。</translation>
@@ -3296,6 +3323,16 @@ Loses {loses}.</source>
    <source>Keep these groups in the dataset's folder</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>これらのグループをデータセットのフォルダーに保存します</translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>フレームのグループ</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>フレーム名のパターン</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -4856,11 +4893,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>「{query}」に一致するものはありません。</translation>
   </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>フレーム</translation>
-  </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
    <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
@@ -6303,6 +6335,61 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>比較するには 2 つ目のカメラセットを読み込んでください（Ctrl+L）</translation>
   </message>
   <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>明るさ</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>コントラスト</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>ガンマ</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>擦れた線や影の中の線を際立たせます</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>変わるのは見え方だけで、ファイルは変わりません</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>リセット</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>すべての値をずらします</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>中間の灰色を中心に値を広げます</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>右へ動かすと暗い部分が明るくなります</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>線の強調</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>画像をそのまま表示します</translation>
+  </message>
+  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>自分のキー</translation>
@@ -7393,6 +7480,16 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Annotate frames of a video without extracting them first</source>
    <extracomment>[the action open_video]</extracomment>
    <translation>動画のフレームを書き出さずに注釈を付けます</translation>
+  </message>
+  <message>
+   <source>Season…</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>シーズン…</translation>
+  </message>
+  <message>
+   <source>List the matches of a season (a folder in which videos lie) to open one of them</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>シーズン（動画のあるフォルダー）の試合を一覧表示し、その一つを開きます</translation>
   </message>
   <message>
    <source>Open the sample</source>

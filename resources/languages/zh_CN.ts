@@ -1012,61 +1012,6 @@
    <translation>此处无相机</translation>
   </message>
   <message>
-   <source>Brightness</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>亮度</translation>
-  </message>
-  <message>
-   <source>Contrast</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>对比度</translation>
-  </message>
-  <message>
-   <source>Gamma</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>伽马</translation>
-  </message>
-  <message>
-   <source>Line enhance</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>线条增强</translation>
-  </message>
-  <message>
-   <source>Bring out worn and shaded lines</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>突出磨损和阴影中的线</translation>
-  </message>
-  <message>
-   <source>Reset</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>重置</translation>
-  </message>
-  <message>
-   <source>Show the picture as it is</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>按原样显示图片</translation>
-  </message>
-  <message>
-   <source>Only what you see changes, never the file</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>只改变您所看到的，绝不改变文件</translation>
-  </message>
-  <message>
-   <source>Shift all values</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>整体平移数值</translation>
-  </message>
-  <message>
-   <source>Stretch values about middle grey</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>围绕中灰拉伸数值</translation>
-  </message>
-  <message>
-   <source>To the right, dark parts become lighter</source>
-   <extracomment>[procc_annotator/gui/canvas/display_adjustment.py]</extracomment>
-   <translation>向右则暗处变亮</translation>
-  </message>
-  <message>
    <source>next: {title}</source>
    <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
    <translation>下一个：{title}</translation>
@@ -2858,6 +2803,98 @@ Loses {loses}.</source>
    <translation>叠加图片已写入 {path}</translation>
   </message>
   <message>
+   <source>waiting</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>等待中</translation>
+  </message>
+  <message>
+   <source>begun</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>已开始</translation>
+  </message>
+  <message>
+   <source>done</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>完成</translation>
+  </message>
+  <message>
+   <source>Match</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>比赛</translation>
+  </message>
+  <message>
+   <source>Stadium</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>体育场</translation>
+  </message>
+  <message>
+   <source>Start</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>开始时间</translation>
+  </message>
+  <message>
+   <source>State</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>状态</translation>
+  </message>
+  <message>
+   <source>Frames</source>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>帧</translation>
+  </message>
+  <message>
+   <source>Tracked</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>已跟踪</translation>
+  </message>
+  <message>
+   <source>On paint</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>画线吻合</translation>
+  </message>
+  <message>
+   <source>Failed units</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>失败单元</translation>
+  </message>
+  <message>
+   <source>Season</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>赛季</translation>
+  </message>
+  <message>
+   <source>Search: match, stadium, state</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>搜索：比赛、体育场、状态</translation>
+  </message>
+  <message>
+   <source>Tracked cameras…</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>已跟踪的相机…</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n:,} matches</source>
+   <extracomment>{n:,} match / {n:,} matches [procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} 场比赛</numerusform>
+   </translation>
+  </message>
+  <message>
+   <source>The folder that track writes to</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>track 写入的文件夹</translation>
+  </message>
+  <message>
+   <source>Matches</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>比赛列表</translation>
+  </message>
+  <message>
+   <source>open a season first: a folder in which videos lie, or a list of them</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>请先打开一个赛季：存放视频的文件夹，或视频列表</translation>
+  </message>
+  <message>
    <source>it is annotated by now</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>此时已标注</translation>
@@ -3244,11 +3281,6 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
-   <source>Groups of frames</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>帧的分组</translation>
-  </message>
-  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} 从现在起将{sizes}分组</translation>
@@ -3278,11 +3310,6 @@ Loses {loses}.</source>
    <translation>视图分组</translation>
   </message>
   <message>
-   <source>Pattern of the frames' names</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>帧名的模式</translation>
-  </message>
-  <message>
    <source>{file} is there already: {sizes}.</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} 已存在：{sizes}。</translation>
@@ -3296,6 +3323,16 @@ Loses {loses}.</source>
    <source>Keep these groups in the dataset's folder</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>将这些分组保存在数据集的文件夹中</translation>
+  </message>
+  <message>
+   <source>Groups of frames</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>帧的分组</translation>
+  </message>
+  <message>
+   <source>Pattern of the frames' names</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>帧名的模式</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, symmetries: {turns}</source>
@@ -4856,11 +4893,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <extracomment>[procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>没有内容匹配“{query}”。</translation>
   </message>
-  <message>
-   <source>Frames</source>
-   <extracomment>[procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>帧</translation>
-  </message>
   <message numerus="yes">
    <source>{frames} in {n:,} folders</source>
    <extracomment>{frames} in {n:,} folder / {frames} in {n:,} folders [procc_annotator/gui/panels/frames.py]</extracomment>
@@ -6303,6 +6335,61 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>请加载第二组相机以进行比较（Ctrl+L）</translation>
   </message>
   <message>
+   <source>Brightness</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>亮度</translation>
+  </message>
+  <message>
+   <source>Contrast</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>对比度</translation>
+  </message>
+  <message>
+   <source>Gamma</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>伽马</translation>
+  </message>
+  <message>
+   <source>Bring out worn and shaded lines</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>突出磨损和阴影中的线</translation>
+  </message>
+  <message>
+   <source>Only what you see changes, never the file</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>只改变您所看到的，绝不改变文件</translation>
+  </message>
+  <message>
+   <source>Reset</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>重置</translation>
+  </message>
+  <message>
+   <source>Shift all values</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>整体平移数值</translation>
+  </message>
+  <message>
+   <source>Stretch values about middle grey</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>围绕中灰拉伸数值</translation>
+  </message>
+  <message>
+   <source>To the right, dark parts become lighter</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>向右则暗处变亮</translation>
+  </message>
+  <message>
+   <source>Line enhance</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>线条增强</translation>
+  </message>
+  <message>
+   <source>Show the picture as it is</source>
+   <extracomment>[procc_annotator/gui/window/display_adjustment.py]</extracomment>
+   <translation>按原样显示图片</translation>
+  </message>
+  <message>
    <source>Keys of your own</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
    <translation>自定义按键</translation>
@@ -7393,6 +7480,16 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Annotate frames of a video without extracting them first</source>
    <extracomment>[the action open_video]</extracomment>
    <translation>直接标注视频的帧，无需先导出</translation>
+  </message>
+  <message>
+   <source>Season…</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>赛季…</translation>
+  </message>
+  <message>
+   <source>List the matches of a season (a folder in which videos lie) to open one of them</source>
+   <extracomment>[the action season]</extracomment>
+   <translation>列出一个赛季（存放视频的文件夹）的比赛，以打开其中一场</translation>
   </message>
   <message>
    <source>Open the sample</source>

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QProgressBar, QPushButton, QWidget
 
+from procc_annotator.gui.panels.widgets import note_label, show_note
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority
 from procc_annotator.gui.state.services import Services
@@ -41,6 +42,7 @@ class TaskDialog(QDialog):
         self.setWindowTitle(title)
         self.bar = QProgressBar(self)
         self.bar.hide()
+        self.note = note_label(f"{name}_note")
 
     def set_running(self, running: bool) -> None:
         """Show whether the work is running."""
@@ -54,7 +56,7 @@ class TaskDialog(QDialog):
 
     def tell(self, text: str) -> None:
         """Show the outcome."""
-        raise NotImplementedError
+        show_note(self.note, text)
 
 
 class DialogTask(QObject):
@@ -79,6 +81,8 @@ class DialogTask(QObject):
             dialog.deleteLater()
 
     def _fail(self, text: str) -> None:
-        if self.dialog is not None:
+        if self.dialog is None:
+            self._services.say(text, "error")
+        else:
             self.dialog.set_running(False)
             self.dialog.tell(text)

@@ -15,15 +15,12 @@ from PySide6.QtWidgets import (
     QFormLayout,
     QFrame,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
     QPlainTextEdit,
-    QPushButton,
     QRadioButton,
     QScrollArea,
     QSizePolicy,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -32,7 +29,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LABELS_FILE, Rule
 from procc_annotator.formats.annotations.registry import FORMATS, WRITTEN, AnnotationFormat
 from procc_annotator.gui.commands.dialogs import CLOSE, TaskDialog, dialog_buttons
-from procc_annotator.gui.panels.widgets import DecimalBox, note_label, show_note
+from procc_annotator.gui.panels import widgets
 from procc_annotator.translation import tr, tr_count, word
 
 _SIZE = (960, 480)
@@ -73,12 +70,12 @@ class LabelDialog(QDialog):
         self.choices: list[QComboBox] = []
         self._rules: list[tuple[Rule, ...]] = []
         asked = QLabel(_asked(len(proposals), field), wordWrap=True)
-        self.note = note_label("labelNote")
+        self.note = widgets.note_label("labelNote")
         words = tr(
             "These names are more like those of {field}: choose that field first (File > Field).",
             field=tr(better) if better else "",
         )
-        show_note(self.note, words if better else "")
+        widgets.show_note(self.note, words if better else "")
         self.keep = QCheckBox(tr("Keep these names with the dataset ({file})", file=LABELS_FILE))
         if has_file:
             self.keep.setText(
@@ -86,9 +83,7 @@ class LabelDialog(QDialog):
             )
         self.keep.setChecked(not has_file)
         buttons, self.take = dialog_buttons(self, tr("Import"))
-        column = QVBoxLayout(self)
-        for part in (asked, self.note, self._table(field), self.keep, buttons):
-            column.addWidget(part, int(isinstance(part, QScrollArea)))
+        widgets.vbox(asked, self.note, (self._table(field), 1), self.keep, buttons, of=self)
         self.resize(*_SIZE)
         if self.choices:
             self.choices[0].setFocus()
@@ -200,11 +195,7 @@ class _ExchangeDialog(TaskDialog):
         self.report.hide()
         buttons, self.start_button = dialog_buttons(self, verb, CLOSE)
         self.close_button = buttons.button(CLOSE)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._options)
-        layout.addWidget(self.bar)
-        layout.addWidget(self.report, 1)
-        layout.addWidget(buttons)
+        widgets.vbox(self._options, self.bar, (self.report, 1), buttons, of=self)
         self._running = False
 
     def set_running(self, running: bool) -> None:
@@ -267,16 +258,11 @@ class ImportDialog(_ExchangeDialog):
                 " back"
             )
         )
-        row = QHBoxLayout()
-        row.addWidget(self.path, 1)
-        for text, choose in (
-            (tr("File…"), self._choose_file),
-            (tr("Folder…"), self._choose_folder),
-        ):
-            button = QPushButton(text, autoDefault=False)
-            button.clicked.connect(choose)
-            row.addWidget(button)
-        self.form.addRow(tr("Annotations"), row)
+        asked = ((tr("File…"), self._choose_file), (tr("Folder…"), self._choose_folder))
+        buttons = [widgets.make_button(*button) for button in asked]
+        for button in buttons:
+            button.setAutoDefault(False)
+        self.form.addRow(tr("Annotations"), widgets.hbox((self.path, 1), *buttons))
         self.form.addRow(tr("Format"), self.formats)
         self.form.addRow(tr("Import into"), self.only_empty)
         self.form.addRow("", self.replace)
@@ -306,7 +292,7 @@ class ExportDialog(_ExchangeDialog):
             self.formats.addItem(known.title, known.name)
         self.holds = QLabel(wordWrap=True)
         self.holds.setTextFormat(Qt.TextFormat.PlainText)
-        self.line_width = DecimalBox()
+        self.line_width = widgets.DecimalBox()
         self.line_width.setRange(1, _WIDEST_LINE)
         self.line_width.setDecimals(1)
         self.line_width.setValue(4)

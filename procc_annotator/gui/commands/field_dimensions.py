@@ -15,10 +15,8 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialogButtonBox,
     QFormLayout,
-    QHBoxLayout,
     QLabel,
     QPushButton,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -30,7 +28,7 @@ from procc_annotator.field.markings import has_off_centre_markings
 from procc_annotator.field.model import MEASURED_LINE, MIDDLE_LINE, Field
 from procc_annotator.gui.commands.dialogs import DialogTask, TaskDialog, dialog_buttons
 from procc_annotator.gui.messages import opened_frame
-from procc_annotator.gui.panels.widgets import RangeBox, note_label, show_note
+from procc_annotator.gui.panels.widgets import RangeBox, hbox, named, note_label, show_note, vbox
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.background import JobControl
@@ -88,18 +86,9 @@ class FieldDimensionsDialog(TaskDialog):
         self.broken.setTextFormat(Qt.TextFormat.RichText)
         self.note = note_label("dimensions_note")
         self.found = note_label("dimensions_found")
-        estimating = QHBoxLayout()
-        estimating.addWidget(self.estimate_button)
-        estimating.addWidget(self.bar, 1)
-        estimating.addStretch(0)
-        layout = QVBoxLayout(self)
-        layout.addLayout(self._form())
-        layout.addWidget(self.broken)
-        layout.addWidget(self.note)
-        layout.addLayout(estimating)
-        layout.addWidget(self.found)
-        layout.addStretch(1)
-        layout.addWidget(self._buttons())
+        estimating = hbox(self.estimate_button, (self.bar, 1), (None, 0))
+        above = (self._form(), self.broken, self.note, estimating, self.found)
+        vbox(*above, None, self._buttons(), of=self)
         self._tell_official()
         self.setMinimumWidth(max(_WIDTH, self.minimumSizeHint().width()))
 
@@ -110,20 +99,14 @@ class FieldDimensionsDialog(TaskDialog):
             box.valueChanged.connect(self._changed)
             box.refused.connect(partial(self._tell_rule, dimension))
             box.lineEdit().textEdited.connect(lambda _, d=dimension: self._tell_rule(d))
-            row = QHBoxLayout()
-            row.addWidget(box)
             rule = self.rules[dimension.name] = QLabel()
             rule.setTextFormat(Qt.TextFormat.RichText)
             self._tell_rule(dimension)
-            row.addWidget(rule)
-            row.addStretch(1)
-            form.addRow(f"{tr(dimension.title)}:", row)
+            form.addRow(f"{tr(dimension.title)}:", hbox(box, rule, None))
         widest = max((box.sizeHint().width() for box in self.boxes.values()), default=0)
         for box in self.boxes.values():  # what the rules say of each stands in a column
             box.setMinimumWidth(widest)
-        self.lines_box = QComboBox()
-        self.lines_box.setObjectName("dimensions_lines")
-        self.lines_box.setToolTip(tr(_LINES_TIP))
+        self.lines_box = named(QComboBox(), "dimensions_lines", tip=tr(_LINES_TIP))
         for lines, words in _LINES:
             self.lines_box.addItem(tr(words), lines)
         self.lines_box.setCurrentIndex(self.lines_box.findData(self.field.lines))

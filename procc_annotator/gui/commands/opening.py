@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
@@ -25,18 +26,21 @@ from PySide6.QtWidgets import (
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.dataset_field import field_of_dataset, own_field_file
 from procc_annotator.dataset.diagnostics import loadable
-from procc_annotator.dataset.layout import copy_sample, frames_folder, has_pictures
+from procc_annotator.dataset.layout import copy_sample, frames_folder
+from procc_annotator.dataset.season import is_list, kinds_met_first
 from procc_annotator.dataset.sequence import keep_frame, open_video
-from procc_annotator.errors import FieldError, InputError, ProccError
+from procc_annotator.errors import FieldError, ProccError
 from procc_annotator.field.load import field_titles, load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.commands.dialogs import dialog_buttons
+from procc_annotator.gui.commands.season import SeasonTask
 from procc_annotator.gui.messages import write
 from procc_annotator.gui.panels.widgets import DecimalBox, choice
 from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, SOURCES, Setting, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.services import Services
+from procc_annotator.image.archive import ARCHIVE_SUFFIXES
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.image.video import Video, frames_at_interval, open_shared_video, scene_cuts
 from procc_annotator.translation import tr, tr_count
@@ -243,6 +247,14 @@ class SourceMemory(QObject):
             self._changing = True  # what is about to come back must not be forgotten meanwhile
             self._reopening.start(lambda _: _reopen(remembered), self._add)
 
+    def add(self, path: Path) -> None:
+        """Open cameras in the background with those that the dataset had, unless it had them."""
+        remembered = _read(self._settings.entries(SOURCES, str(self._dataset)))
+        if all(source.path != str(path) for source in remembered):
+            self._changing = True
+            remembered.append(RememberedSource(str(path), "auto", path.stem, "", active=True))
+            self._reopening.start(lambda _: _reopen(remembered), self._add)
+
     def _fail(self, text: str) -> None:
         self._changing = False
         said = tr("cameras opened here before are not opened again: {why}", why=text)
@@ -340,6 +352,7 @@ class OpeningTask(QObject):
     """Asks what to open, opens it, and remembers it."""
 
     secondChosen = Signal(Path)  # the folder of a second annotator
+    camerasTracked = Signal(Path)  # of the match of a season that was opened
 
     def __init__(self, services: Services, settings: Settings, window: QWidget) -> None:
         super().__init__(window)
@@ -348,14 +361,24 @@ class OpeningTask(QObject):
         self._window = window
         self._copying = LatestOnlyTask(self, lambda why: services.say(why, "warning"))
         self.video = VideoOpening(services, window, self._remember)
+        self.season = SeasonTask(
+            services, settings, window, lambda path, field: self.open_path(path, field=field)
+        )
 
     def open_path(
-        self, path: Path, annotations: Path | None = None, field: Field | None = None
-    ) -> bool:
-        """Open a folder or picture and remember it, or ask which frames of a video to open; a
-        ``field`` is the dataset's from then on."""
+        self, path: Path, annotations: Path | None = None, field: Field | None = None,
+        *, season: bool = True,
+    ) -> bool:  # fmt: skip
+        """Open a folder or picture and remember it, or ask which frames of a video or which match
+        of a ``season`` to open; a ``field`` is the dataset's from then on."""
         if _is_video(path):
             self.video.ask(path, field)
+            return True
+        kinds = kinds_met_first(path) if path.is_dir() else PICTURE_SUFFIXES
+        if season and (is_list(path) or (kinds and not kinds & PICTURE_SUFFIXES)):
+            self.season.field = field
+            pictures = partial(self.open_path, path, annotations, field, season=False)
+            self.season.read(path.absolute(), none=pictures)
             return True
         opened = self._services.opening.open_path(path, annotations)
         if field is not None:
@@ -367,9 +390,11 @@ class OpeningTask(QObject):
         return opened
 
     def drop(self, paths: Sequence[Path]) -> None:
-        """Open what was dropped: pictures, folders of them and videos; the rest are cameras."""
+        """Open what was dropped: pictures, videos, folders of them and, if nothing is open, lists
+        of matches; the rest are cameras."""
+        nothing = self._services.state.workspace is None
         for path in paths:
-            if _holds_pictures(path) or _is_video(path):
+            if kinds_met_first(path).difference(ARCHIVE_SUFFIXES) or (nothing and is_list(path)):
                 self.open_path(path)
             else:
                 self._services.camera_sources.load_cameras(path)
@@ -386,8 +411,8 @@ class OpeningTask(QObject):
             self.open_path(chosen)
 
     def open_video(self) -> None:
-        """Ask for a video."""
-        kind = tr("Videos"), sorted(VIDEO_SUFFIXES)
+        """Ask for a video, or a list of them."""
+        kind = tr("Videos"), sorted(VIDEO_SUFFIXES | {".csv"})
         if (chosen := self._ask_file(tr("Open a video"), FOLDER, *kind)) is not None:
             self.open_path(chosen)
 
@@ -443,6 +468,9 @@ class OpeningTask(QObject):
     def _remember(self, path: Path) -> None:
         self._settings.put_first(RECENT, path.resolve())
         self._settings.set(FOLDER, str(path if path.is_dir() else path.parent))
+        cameras = self.season.season.cameras.get(path) if self.season.season else None
+        if cameras is not None and cameras.is_file():
+            self.camerasTracked.emit(cameras)
 
     def _ask_folder(self, title: str, beside: Setting[str]) -> Path | None:
         start = self._settings.get(beside)
@@ -460,12 +488,3 @@ class OpeningTask(QObject):
 
 def _is_video(path: Path) -> bool:
     return path.suffix.lower() in VIDEO_SUFFIXES and path.is_file()
-
-
-def _holds_pictures(path: Path) -> bool:
-    if path.suffix.lower() in PICTURE_SUFFIXES:
-        return True
-    try:
-        return path.is_dir() and has_pictures(path)
-    except InputError:
-        return False

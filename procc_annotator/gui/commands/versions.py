@@ -11,10 +11,7 @@ from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import (
     QApplication,
     QDialog,
-    QHBoxLayout,
     QListView,
-    QStackedWidget,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -27,7 +24,15 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.canvas.annotation_preview import AnnotationPreview
 from procc_annotator.gui.commands.dialogs import CLOSE, dialog_buttons
 from procc_annotator.gui.panels.element_states import class_title
-from procc_annotator.gui.panels.widgets import Index, empty_state, note_label, show_note
+from procc_annotator.gui.panels.widgets import (
+    Index,
+    Pages,
+    hbox,
+    named,
+    note_label,
+    show_note,
+    vbox,
+)
 from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.services import Services
 from procc_annotator.image.pixels import PixelArray
@@ -70,8 +75,7 @@ class VersionsDialog(QDialog):
         self.chosen_id: str | None = None
         self._field = field
         self.model = VersionsModel(versions, preview, current)
-        self.list = QListView()
-        self.list.setObjectName("versionsList")
+        self.list = named(QListView(), "versionsList")
         self.list.setModel(self.model)
         self.list.setAlternatingRowColors(True)
         self.list.setUniformItemSizes(True)
@@ -96,23 +100,12 @@ class VersionsDialog(QDialog):
             super().accept()
 
     def _arrange(self) -> None:
-        right = QVBoxLayout()
-        right.setSpacing(8)
-        right.addWidget(self.preview, 1)
-        right.addWidget(self.note)
+        right = vbox((self.preview, 1), self.note, spacing=8)
         content = QWidget()
-        across = QHBoxLayout(content)
-        across.setContentsMargins(0, 0, 0, 0)
-        across.setSpacing(10)
-        across.addWidget(self.list)
-        across.addLayout(right, 1)
-        self.pages = QStackedWidget()
-        self.pages.addWidget(content)
-        self.pages.addWidget(empty_state(tr(_NO_VERSION), "versionsEmpty"))
-        self.pages.setCurrentIndex(0 if self.model.rows else 1)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.pages, 1)
-        layout.addWidget(self.buttons)
+        content.setLayout(hbox(self.list, (right, 1), spacing=10, margins=0))
+        self.pages = Pages(content, "versionsEmpty")
+        self.pages.explain("" if self.model.rows else tr(_NO_VERSION))
+        vbox((self.pages, 1), self.buttons, of=self)
 
     def _show(self) -> None:
         row = self.list.currentIndex().row()

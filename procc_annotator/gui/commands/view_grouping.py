@@ -10,11 +10,9 @@ from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
-    QHeaderView,
     QLabel,
     QLineEdit,
     QTableView,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -29,7 +27,7 @@ from procc_annotator.dataset.layout import VIEWS_FILE
 from procc_annotator.errors import UsageError
 from procc_annotator.gui.commands.dialogs import CLOSE, DialogTask, TaskDialog, dialog_buttons
 from procc_annotator.gui.messages import ask_to_replace, opened_frame
-from procc_annotator.gui.panels.widgets import Index, RowsModel, list_rows, note_label, show_note
+from procc_annotator.gui.panels import widgets
 from procc_annotator.gui.state.availability import as_sentence
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority
 from procc_annotator.gui.state.services import Services
@@ -117,10 +115,10 @@ def _together(sizes: list[int]) -> str:
     )
 
 
-class _FramesModel(RowsModel[_Row]):
+class _FramesModel(widgets.RowsModel[_Row]):
     """Frames with what the pattern makes of their names; those it does not fit are last."""
 
-    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+    def data(self, index: widgets.Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         fits = bool(self.rows[index.row()][0])
         if role == Qt.ItemDataRole.DisplayRole:
             return self.rows[index.row()][index.column()] or _ALONE
@@ -139,27 +137,22 @@ class ViewDialog(TaskDialog):
         super().__init__(parent, "viewDialog", tr("Group views"))
         self.preview: Preview | None = None
         asked = QLabel(tr(_ASKED), wordWrap=True, textFormat=Qt.TextFormat.RichText)
-        self.pattern = QLineEdit(placeholderText="{instant}_{view}")
-        self.pattern.setObjectName("viewPattern")
-        self.pattern.setAccessibleName(tr("Pattern of the frames' names"))
+        line = QLineEdit(placeholderText="{instant}_{view}")
+        self.pattern = widgets.named(line, "viewPattern", title=tr("Pattern of the frames' names"))
         self.pattern.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
-        self.counts = QLabel(wordWrap=True)
-        self.counts.setObjectName("viewCounts")
+        self.counts = widgets.make_label(name="viewCounts", wrap=True)
         self._model = _FramesModel(_HEADERS)
         self.table = _table(self._model)
-        self.there = note_label("viewThere")
+        self.there = widgets.note_label("viewThere")
         if there.frames:
             said = tr("{file} is there already: {sizes}.", file=VIEWS_FILE, sizes=_sizes(there))
-            show_note(self.there, said)
-        self.note = note_label("viewNote")
+            widgets.show_note(self.there, said)
         buttons, self.write = dialog_buttons(self, tr("Write {file}", file=VIEWS_FILE), CLOSE)
         self.write.setToolTip(tr("Keep these groups in the dataset's folder"))
         self.write.setEnabled(False)
         self.pattern.textChanged.connect(lambda: self.write.setEnabled(False))  # until it is known
-        column = QVBoxLayout(self)
-        column.addWidget(asked)
-        for part in (self.pattern, self.counts, self.table, self.there, self.note, buttons):
-            column.addWidget(part, int(part is self.table))
+        shown = (self.counts, (self.table, 1), self.there, self.note)
+        widgets.vbox(asked, self.pattern, *shown, buttons, of=self)
         self.resize(*_SIZE)
 
     def show_preview(self, preview: Preview) -> None:
@@ -172,23 +165,17 @@ class ViewDialog(TaskDialog):
         self.tell(as_sentence(preview.problem))
         self.write.setEnabled(bool(preview.groups.frames) and not preview.problem)
 
-    def tell(self, text: str) -> None:
-        show_note(self.note, text)
-
     def set_running(self, running: bool) -> None:
         self.pattern.setEnabled(not running)
         self.write.setEnabled(not running)
 
 
 def _table(model: QAbstractTableModel) -> QTableView:
-    table = QTableView()
-    table.setObjectName("viewTable")
-    table.setAccessibleName(tr("Groups of frames"))
+    table = widgets.named(QTableView(), "viewTable", title=tr("Groups of frames"))
     table.setModel(model)
-    list_rows(table)
+    widgets.list_rows(table)
     table.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
     header = table.horizontalHeader()
-    header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
     header.setStretchLastSection(True)
     header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
     return table

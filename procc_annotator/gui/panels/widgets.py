@@ -150,9 +150,10 @@ class LowTable(QTableView):
         return QSize(super().minimumSizeHint().width(), 4 * (self.fontMetrics().height() + 6))
 
 
-def list_rows(table: QTableView, room: int = 6) -> None:
+def list_rows(table: QTableView, room: int = 6, widest: int | None = None) -> None:
     """Have a table with a model look like a list: whole rows, ``room`` px higher than their text,
-    one of which may be chosen, without a grid."""
+    one of which may be chosen, without a grid; columns are as wide as the texts in sight but for
+    the ``widest``, which takes the rest."""
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
     table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
     table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -161,7 +162,13 @@ def list_rows(table: QTableView, room: int = 6) -> None:
     table.setWordWrap(False)
     table.verticalHeader().hide()
     table.verticalHeader().setDefaultSectionSize(table.fontMetrics().height() + room)
-    table.horizontalHeader().setHighlightSections(False)
+    header = table.horizontalHeader()
+    header.setHighlightSections(False)
+    if widest is not None:
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        header.setResizeContentsPrecision(0)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(widest, QHeaderView.ResizeMode.Stretch)
 
 
 class _ElementRow(Protocol):

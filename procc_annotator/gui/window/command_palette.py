@@ -13,7 +13,6 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
-    QHeaderView,
     QTableView,
     QWidget,
 )
@@ -282,15 +281,11 @@ class CommandPalette(QFrame):
         self.model = _Entries()
         self.list = named(QTableView(), "paletteList", title=tr("What fits"))
         self.list.setModel(self.model)
-        list_rows(self.list, room=_PAD)
+        list_rows(self.list, room=_PAD, widest=_DETAIL)
         self.list.setFrameShape(QFrame.Shape.NoFrame)
         self.list.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the line keeps the keyboard
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        columns = self.list.horizontalHeader()
-        columns.hide()
-        columns.setResizeContentsPrecision(0)  # of the rows in sight
-        columns.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        columns.setSectionResizeMode(_DETAIL, QHeaderView.ResizeMode.Stretch)
+        self.list.horizontalHeader().hide()
         self.list.clicked.connect(self._call)
         self.hint = make_label(tr(_HINT), faint=True)
         vbox(self.search, self.list, self.hint, of=self, margins=_PAD)

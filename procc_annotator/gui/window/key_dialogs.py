@@ -16,7 +16,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFileDialog,
     QHBoxLayout,
-    QHeaderView,
     QKeySequenceEdit,
     QLabel,
     QLineEdit,
@@ -126,11 +125,7 @@ class KeyTable(QTableView):
         self.setAccessibleName(tr("Keys"))
         self.rows = _KeyRows()
         self.setModel(searched_rows(self.rows, search))
-        list_rows(self)
-        header = self.horizontalHeader()
-        header.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setSectionResizeMode(_WHAT, QHeaderView.ResizeMode.Stretch)
+        list_rows(self, widest=_WHAT)
 
     def shown(self) -> list[KeyRow]:
         """Return the rows that the search found, in their order."""

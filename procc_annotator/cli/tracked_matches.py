@@ -1,0 +1,265 @@
+"""The matches that ``track`` follows: what is known of them beforehand, and what is written."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from procc_annotator.assist.track_anchors import TrackAnchors
+from procc_annotator.batch.match_tracking import (
+    MatchToTrack,
+    TrackedMatch,
+    find_positions,
+    track_match,
+)
+from procc_annotator.batch.season_run import Attempt, Plan
+from procc_annotator.batch.tracking import TRACK, UNREADABLE, TrackUnit
+from procc_annotator.batch.unit_store import Unit, UnitStore, field_settings, hex_digest
+from procc_annotator.calibration.single_image.proposal import KnownPosition
+from procc_annotator.calibration.tracking.track import TrackedFrame
+from procc_annotator.cli import options, remarks
+from procc_annotator.cli.console import stdout_console
+from procc_annotator.cli.echo import echo
+from procc_annotator.cli.matches import place_of_match
+from procc_annotator.dataset import remote_files
+from procc_annotator.dataset.dataset_field import with_dataset_pixels
+from procc_annotator.dataset.season import Match
+from procc_annotator.dataset.sequence import PictureSource, open_pictures
+from procc_annotator.errors import UsageError
+from procc_annotator.field.model import Field
+from procc_annotator.formats.atomic import make_folder, write_atomic
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX, PackedCameras, read_packed
+from procc_annotator.formats.file_source import read_file
+from procc_annotator.messages import pluralize
+from procc_annotator.report.tracking import gaps_table, shots_table, tracked_words
+
+Progress = Callable[[int, int], None]
+_LOGGED = ("match", "kind", "state", "tries", "frames", "evidence", "error")
+
+
+@dataclass(frozen=True)
+class Anchors:
+    """Where cameras that are known beforehand are found; those of a season in folders called like
+    its matches."""
+
+    annotations: Path | None
+    cameras: Path | None
+    camera_format: str
+    camera_size: tuple[int, int] | None
+    by_match: bool
+
+    def place(self, root: Path | None, match: Match) -> Path | None:
+        """Return where those of a match are, if there are any."""
+        return place_of_match(root, match) if self.by_match else root
+
+    def of(
+        self, match: Match, pictures: PictureSource, shown: Field, given: options.FieldOptions
+    ) -> TrackAnchors:
+        """The anchors of a match; remarks on them are told."""
+        found = TrackAnchors()
+        annotations = self.place(self.annotations, match)
+        cameras = self.place(self.cameras, match)
+        if annotations is not None:
+            clicked = pictures.annotated(annotations, shown, given.names(shown))
+            remarks.report_remarks(clicked.notices)
+            found.add_annotated(pictures.frames, clicked, shown)
+        if cameras is not None:
+            with CameraCollection.open(cameras, self.camera_format, field=shown) as collection:
+                remarks.report_remarks(collection.notices)
+                found.add_cameras(pictures.frames, collection, self.camera_size)
+        remarks.report_remarks(found.remarks)
+        places = [str(one) for one in (annotations, cameras) if one is not None]
+        if places and not found.cameras:
+            echo(f"note: no frame here has a camera in {' and '.join(places)}", err=True)
+        return found
+
+
+class TrackedMatches:
+    """What is known of the matches of a run, and what was written.
+
+    Attributes:
+        fields: the elements, by the names of matches.
+        problems: what was unreadable, one line each.
+    """
+
+    def __init__(
+        self,
+        matches: tuple[Match, ...],
+        out: Path,
+        given: options.PictureFieldOptions,
+        anchors: Anchors,
+        start: str | None,
+    ) -> None:
+        self.matches = {match.name: match for match in matches}
+        self._out, self._given, self._anchors, self._start = out, given, anchors, start
+        self.fields = {
+            match.name: options.chosen_field(
+                match.field or given.field,
+                match.pictures,
+                lines=given.lines,
+                pixel_aspect=given.pixel_aspect,
+            )
+            for match in matches
+        }
+        self.problems: list[str] = []
+        self._names: dict[str, tuple[str, ...]] = {}  # of the frames of matches under way
+        self._known: dict[str, tuple[KnownPosition, ...]] = {}  # by stadium
+        self._read: tuple[str, PackedCameras | None] | None = None
+        self._frames = 0  # that were followed
+
+    @property
+    def terms(self) -> dict[str, str]:
+        """What the run was asked for, see `UnitStore`."""
+        fields = {field_settings(field): None for field in self.fields.values()}
+        return {"field": next(iter(fields)) if len(fields) == 1 else hex_digest(*fields)[:12]}
+
+    def path(self, name: str) -> Path:
+        """The file of a match."""
+        return self._out / f"{name}{PACKED_SUFFIX}"
+
+    def begin(self, store: UnitStore, name: str) -> Plan[TrackedMatch]:
+        """The plan of a match, of which the store notes how many frames it has."""
+        match, shown = self.matches[name], self.fields[name]
+        annotations = self._anchors.place(self._anchors.annotations, match)
+        pictures = open_pictures(match.pictures, annotations)
+        remarks.report_remarks(pictures.notices)
+        self.problems += pictures.problems
+        anchors = self._anchors.of(match, pictures, shown, self._given)
+        self.problems += anchors.errors
+        self._names[name] = names = tuple(frame.name for frame in pictures.frames)
+        url = remote_files.url_of(match.pictures)
+        place = match.pictures if url else pictures.path.absolute()
+        pixels = shown.pixels or with_dataset_pixels(shown, pictures.path).pixels
+        plan = track_match(
+            MatchToTrack(
+                name, place, pictures.stamp(), replace(shown, pixels=pixels), name, names,
+                anchors.cameras, anchors.clicks,
+                self._known.get(match.stadium, ()) if match.stadium else (), pixels,
+                only=None if self._start is None else _number_of(self._start, names),
+            )
+        )  # fmt: skip
+        store.announce(name, len(names))
+        return plan
+
+    def is_kept(self, match: Match) -> bool:
+        """Return whether a match that is done need not be fetched from its URL to be left alone."""
+        there = self._written(match.name) if remote_files.url_of(match.pictures) else None
+        self._know(match, there)
+        return there is not None
+
+    def _know(self, match: Match, cameras: PackedCameras | None) -> None:
+        if match.stadium and cameras is not None:
+            places = find_positions([cameras])
+            self._known[match.stadium] = places or self._known.get(match.stadium, ())
+
+    def recover(self, unit: Any) -> PackedCameras | None:
+        """A piece that was followed before, from the file of its match."""
+        if not isinstance(unit, TrackUnit) or (there := self._written(unit.match)) is None:
+            return None
+        names = self._names[unit.match][unit.numbers.start : unit.numbers.stop]
+        if names[0] not in there.frame:
+            return None
+        first = there.frame.index(names[0])
+        rows = there.rows(range(first, min(first + len(names), len(there))))
+        return rows if rows.frame == names else None
+
+    def _written(self, name: str) -> PackedCameras | None:
+        """What the file of a match holds; of the match asked for last it is kept."""
+        if self._read is None or self._read[0] != name:
+            path = self.path(name)
+            there = read_packed(read_file(path), str(path)) if path.exists() else None
+            self._read = name, there
+        return self._read[1]
+
+    def write(self, name: str, found: TrackedMatch) -> int:
+        """Write what a match came to, with the shots that were followed before; returns how many
+        frames it has."""
+        cameras, before = found.cameras, self._written(name)
+        if before is not None and len(cameras) < len(self._names[name]):
+            cameras = cameras.merged(before, self._names[name])
+        make_folder(self.path(name).parent)
+        write_atomic(self.path(name), cameras.encoded())
+        self._read = None
+        self._know(self.matches[name], cameras)
+        self.problems += [
+            reason
+            for state, reason in zip(cameras.state, cameras.reason, strict=True)
+            if state == UNREADABLE
+        ]
+        _report(name, cameras, found.jumps, self.path(name), alone=len(self.matches) == 1)
+        return len(self._names.pop(name))
+
+    def on_frame(self, progress: Progress) -> Callable[[TrackedFrame], None]:
+        """Tells of frames as they are followed, in this process."""
+
+        def followed(_: TrackedFrame) -> None:
+            self._frames += 1
+            progress(min(self._frames, self._total), self._total)
+
+        return followed
+
+    def attempted(
+        self, progress: Progress, told: bool, log: str, attempt: Attempt, kept: Unit
+    ) -> None:
+        """Tell of a unit that was tried."""
+        unit = attempt.unit
+        if not told and unit.kind == TRACK:
+            self._frames += unit.frames
+            progress(min(self._frames, self._total), self._total)
+        if log == "json":
+            about = {name: getattr(kept, name) for name in _LOGGED}
+            about |= {"time": kept.changed, "unit": kept.key, "seconds": attempt.seconds}
+            echo(json.dumps(about), err=True)
+        elif attempt.error or not sys.stderr.isatty():
+            what = attempt.error or f"{unit.frames} frames in {attempt.seconds:.1f} s"
+            echo(f"{unit.match}: {unit.kind} {unit.key.split('/')[-1]}: {what}", err=True)
+
+    @property
+    def _total(self) -> int:
+        return sum(map(len, self._names.values()))
+
+
+def _number_of(text: str, names: Sequence[str]) -> int:
+    if text in names:
+        return names.index(text)
+    last = len(names) - 1
+    if text.isascii() and text.isdigit() and int(text) <= last:
+        return int(text)
+    raise UsageError(
+        f"--from {text}: there is no such frame (they are called {names[0]} to {names[-1]},"
+        f" numbers 0 to {last})"
+    )
+
+
+_NAMED = 3
+
+
+def _report(
+    name: str, cameras: PackedCameras, jumps: Mapping[int, float], path: Path, *, alone: bool
+) -> None:
+    if alone:
+        console = stdout_console()
+        console.print(shots_table(cameras))
+        if (gaps := gaps_table(cameras)).rows:
+            console.print(gaps)
+    unseen = [
+        frame
+        for frame, state, coverage in zip(
+            cameras.frame, cameras.state, cameras.coverage.tolist(), strict=True
+        )
+        if state == "anchor" and not coverage
+    ]
+    if unseen:
+        some = ", ".join(unseen[:_NAMED])
+        what = pluralize(len(unseen), "anchor")
+        echo(f"{name}: {what} without any line on paint: cameras of other pictures? {some}")
+    if (aspect := float(cameras.pixel_aspect.max(initial=1.0))) != 1:
+        echo(f"{name}: pixels are {aspect:.3f} times as wide as high")
+    for number, px in jumps.items():
+        echo(f"{name}: at frame {number} two pieces of a shot are {px:.1f} px apart", err=True)
+    echo(f"{name}: {tracked_words(cameras)}; written to {path}")
