@@ -13,7 +13,7 @@ from typing import Any, Generic, Protocol, TypeVar
 import cv2
 
 from procc_annotator.batch.execution.executor import Executor
-from procc_annotator.batch.unit_store import FAILED, MATCH, MOST_TRIES, WAITING, Unit, UnitStore
+from procc_annotator.batch.unit_store import FAILED, MATCH, WAITING, Unit, UnitStore
 from procc_annotator.errors import ProccError
 
 R = TypeVar("R")
@@ -103,14 +103,14 @@ class SeasonRun(Generic[R]):
         task: Callable[[Any], Any],
         store: UnitStore,
         executor: Executor,
-        evidence: Callable[[Any], float | None] = lambda _: None,
+        evidence: Callable[[Any], tuple[float | None, int]] = lambda _: (None, 0),
         on_attempt: Callable[[Attempt, Unit], None] = lambda *_: None,
     ) -> None:
         """Nothing is done yet.
 
         Args:
             task: unit -> result, see `AttemptUnit`.
-            evidence: of a result, see `Unit`.
+            evidence: of a result, and how many frames have a camera, see `Unit`.
         """
         self.store = store
         self.executor = executor
@@ -136,7 +136,7 @@ class SeasonRun(Generic[R]):
         waiting = dict(matches)
         for name in matches if len(matches) > 1 else ():
             if self.store.unit(f"{name}/{MATCH}") is None:
-                self.store.announce(name, 0)
+                self.store.announce(name)
 
         def units() -> Iterator[WorkUnit | None]:
             while True:
@@ -149,8 +149,9 @@ class SeasonRun(Generic[R]):
                     except ProccError as error:
                         if len(matches) == 1:
                             raise
-                        key, why = f"{name}/{MATCH}", str(error)
-                        self.store.fail(Unit(key, name, MATCH, tries=MOST_TRIES, error=why))
+                        whole = Unit(f"{name}/{MATCH}", name, MATCH, error=str(error))
+                        kept = self.store.fail(whole, last=True)
+                        self.on_attempt(Attempt(kept, error=kept.error), kept)
                     else:
                         self._advance(name, None, recover)
                 elif self._under_way:
@@ -194,8 +195,9 @@ class SeasonRun(Generic[R]):
         if attempt.error:
             kept = self.store.fail(Unit(unit.key, error=attempt.error, **about))
         else:
-            evidence = self._evidence(attempt.result)
-            kept = self.store.add(unit.key, attempt.result, evidence=evidence, **about)
+            evidence, cameras = self._evidence(attempt.result)
+            measured = {"evidence": evidence, "cameras": cameras}
+            kept = self.store.add(unit.key, attempt.result, **measured, **about)
         self.on_attempt(attempt, kept)
         if kept.state == WAITING:
             self._ready.append(unit)

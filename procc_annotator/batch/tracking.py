@@ -153,7 +153,7 @@ class CutUnit:
     @property
     def key(self) -> str:
         """See `Unit`."""
-        return f"{self.match}/cuts/{_numbered(self.numbers)}/{self.stamp}"
+        return f"{self.match}/cuts/{self.stamp}/{_numbered(self.numbers)}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,7 +170,7 @@ class PixelUnit:
     @property
     def key(self) -> str:
         """See `Unit`."""
-        return f"{self.match}/pixels/{self.stamp}"
+        return f"{self.match}/pixels/{self.stamp}/"
 
 
 @dataclass(frozen=True, eq=False)
@@ -207,10 +207,9 @@ class TrackUnit:
     @property
     def key(self) -> str:
         """See `Unit`."""
-        given = serialize(
-            [self.stamp, dict(self.anchors), dict(self.clicks), list(self.known), self.pixels]
-        )
-        return f"{self.match}/track/{_numbered(self.numbers)}/{hex_digest(given)[:16]}"
+        given = serialize([dict(self.anchors), dict(self.clicks), list(self.known), self.pixels])
+        piece = f"{_numbered(self.numbers)}/{hex_digest(given)[:16]}"
+        return f"{self.match}/track/{self.stamp}/{piece}"
 
 
 TrackingUnit = CutUnit | PixelUnit | TrackUnit

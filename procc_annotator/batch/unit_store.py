@@ -35,7 +35,7 @@ CREATE TABLE terms (name TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE TABLE units (
     key TEXT PRIMARY KEY, match TEXT NOT NULL, kind TEXT NOT NULL, state TEXT NOT NULL,
     tries INTEGER NOT NULL, seconds REAL NOT NULL, frames INTEGER NOT NULL, evidence REAL,
-    error TEXT NOT NULL, changed REAL NOT NULL, result BLOB
+    cameras INTEGER NOT NULL, error TEXT NOT NULL, changed REAL NOT NULL, result BLOB
 ) WITHOUT ROWID;
 CREATE INDEX units_by_match ON units (match, state);
 PRAGMA user_version = {_VERSION};
@@ -56,6 +56,7 @@ class Unit:
         frames: that it is about.
         evidence: 0 to 1, how much of the visible model was found on paint; None where nothing is
             measured.
+        cameras: frames that have a camera.
         error: why the last try failed.
         changed: when, seconds since 1970.
     """
@@ -68,6 +69,7 @@ class Unit:
     seconds: float = 0.0
     frames: int = 0
     evidence: float | None = None
+    cameras: int = 0
     error: str = ""
     changed: float = 0.0
 
@@ -76,9 +78,11 @@ class MatchUnits(NamedTuple):
     """What is known of a match.
 
     Attributes:
-        state: `DONE` when its file is written. frames: of the match; 0 before it was opened.
-        done, failed: units. tracked: frames of those that are done and have evidence.
-        seconds: of work. evidence: mean over these frames. changed: when its last unit changed.
+        state: `DONE` when its file is written, `FAILED` if it cannot be opened. frames: of the
+            match; 0 before it was opened.
+        done, failed: units. tracked: frames of those that are done. cameras: frames with a camera.
+        seconds: of work. evidence: mean over the frames tracked. changed: when its last unit
+            changed.
     """
 
     match: str
@@ -87,15 +91,17 @@ class MatchUnits(NamedTuple):
     done: int
     failed: int
     tracked: int
+    cameras: int
     seconds: float
     evidence: float | None
     changed: float
 
     @property
     def progress(self) -> str:
-        """``waiting``, ``begun`` or ``done``."""
-        begun = "begun" if self.done or self.failed else WAITING
-        return DONE if self.state == DONE else begun
+        """``waiting``, ``begun``, ``failed`` or ``done``."""
+        if self.state in (DONE, FAILED):
+            return self.state
+        return "begun" if self.done or self.failed else WAITING
 
     @property
     def frames_tracked(self) -> int:
@@ -153,15 +159,15 @@ class UnitStore:
 
     def __contains__(self, key: str) -> bool:
         """Return whether a unit is done."""
-        return bool(self._rows("SELECT 1 FROM units WHERE key = ? AND state = ?", key, DONE))
+        return bool(self._rows("SELECT 1 FROM units WHERE key = ? AND state = ?", (key, DONE)))
 
     def __len__(self) -> int:
-        found = self._rows("SELECT COUNT(*) FROM units WHERE state = ?", DONE)
+        found = self._rows("SELECT COUNT(*) FROM units WHERE state = ?", (DONE,))
         return int(found[0][0]) if found else 0
 
     def result(self, key: str) -> Any:
         """The result of a unit that is done; None if it cannot be read."""
-        found = self._rows("SELECT result FROM units WHERE key = ? AND state = ?", key, DONE)
+        found = self._rows("SELECT result FROM units WHERE key = ? AND state = ?", (key, DONE))
         try:
             return deserialize(found[0][0]) if found and found[0][0] else None
         except SerializationError:
@@ -169,26 +175,30 @@ class UnitStore:
 
     def unit(self, key: str) -> Unit | None:
         """What is known of a unit."""
-        found = self._rows(f"SELECT {', '.join(_COLUMNS)} FROM units WHERE key = ?", key)
+        found = self._rows(f"SELECT {', '.join(_COLUMNS)} FROM units WHERE key = ?", (key,))
         return Unit(*found[0]) if found else None
 
     def units(self, state: str) -> Iterator[Unit]:
         """Those in a state, by match."""
         order = f"SELECT {', '.join(_COLUMNS)} FROM units WHERE state = ? ORDER BY match, key"
-        return (Unit(*row) for row in self._rows(order, state))
+        return (Unit(*row) for row in self._rows(order, (state,)))
 
     def matches(self) -> list[MatchUnits]:
         """The matches, in the order of their names."""
-        measured = "CASE WHEN evidence IS NULL THEN 0 ELSE frames END"
+        tracked = "CASE WHEN kind = :match OR evidence IS NULL THEN 0 ELSE frames END"
+        whole = "kind = :match AND state = :done"
         return [
             MatchUnits(*row)
             for row in self._rows(
-                "SELECT match, MAX(CASE WHEN kind = ? THEN state ELSE '' END),"
-                " SUM(CASE WHEN kind = ? THEN frames ELSE 0 END),"
-                " SUM(kind <> ? AND state = ?), SUM(state = ?),"
-                f" SUM({measured}), SUM(seconds), SUM(evidence * frames) / SUM({measured}),"
+                "SELECT match, MAX(CASE WHEN kind = :match THEN state ELSE '' END),"
+                " SUM(CASE WHEN kind = :match THEN frames ELSE 0 END),"
+                " SUM(kind <> :match AND state = :done), SUM(kind <> :match AND state = :failed),"
+                f" SUM({tracked}),"
+                f" COALESCE(MAX(CASE WHEN {whole} THEN cameras END), SUM(cameras)), SUM(seconds),"
+                f" COALESCE(MAX(CASE WHEN {whole} THEN evidence END),"
+                f" SUM(evidence * {tracked}) / SUM({tracked})),"
                 " MAX(changed) FROM units GROUP BY match ORDER BY match",
-                *(MATCH, MATCH, MATCH, DONE, FAILED),
+                {"match": MATCH, "done": DONE, "failed": FAILED},
             )
         ]
 
@@ -196,17 +206,23 @@ class UnitStore:
         """Frames with evidence of units that were done since a time, and when the first was."""
         found = self._rows(
             "SELECT SUM(frames), MIN(changed - seconds) FROM units"
-            " WHERE evidence IS NOT NULL AND changed > ?",
-            time_s,
+            " WHERE evidence IS NOT NULL AND kind <> ? AND changed > ?",
+            (MATCH, time_s),
         )
         return (found[0][0] or 0, found[0][1] or time_s) if found else (0, time_s)
 
-    def announce(self, match: str, frames: int, state: str = WAITING) -> None:
-        """Note a match: that there is one, how many frames it has, that it is done."""
+    def announce(self, match: str, state: str = WAITING, **about: Any) -> None:
+        """Note a match: that there is one, and what is known of the whole of it."""
         self._put(
-            Unit(f"{match}/{MATCH}", match, MATCH, state, 0, frames=frames, changed=time.time()),
-            None,
+            Unit(f"{match}/{MATCH}", match, MATCH, state, 0, changed=time.time(), **about), None
         )
+
+    def keep_only(self, match: str, stamp: str) -> None:
+        """Drop the units of other content of a match, whose keys do not have its stamp."""
+        self._write(
+            "DELETE FROM units WHERE match = ? AND kind <> ? AND instr(key, ?) = 0",
+            match, MATCH, f"/{stamp}/",
+        )  # fmt: skip
 
     def add(self, key: str, result: Any, **about: Any) -> Unit:
         """Keep what came of a unit, before anything is said of it.
@@ -220,9 +236,9 @@ class UnitStore:
         data = None if result is None else serialize(result)
         return self._put(Unit(key, changed=time.time(), **about), data)
 
-    def fail(self, unit: Unit) -> Unit:
-        """Keep that a try failed."""
-        state = WAITING if unit.tries < MOST_TRIES else FAILED
+    def fail(self, unit: Unit, *, last: bool = False) -> Unit:
+        """Keep that a try failed, perhaps the last one."""
+        state = FAILED if last or unit.tries >= MOST_TRIES else WAITING
         return self._put(replace(unit, state=state, changed=time.time()), None)
 
     def forget(self, match: str, kind: str) -> None:
@@ -248,7 +264,7 @@ class UnitStore:
         except OSError as error:
             raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
 
-    def _rows(self, statement: str, *values: object) -> list[Any]:
+    def _rows(self, statement: str, values: Any = ()) -> list[Any]:
         if self._database is None:
             return []
         try:

@@ -12,6 +12,7 @@ from procc_annotator.batch.unit_store import FAILED, UnitStore
 from procc_annotator.cli import outputs, remarks
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo
+from procc_annotator.cli.tracked_matches import unit_words
 from procc_annotator.dataset.remote_files import working_folder
 from procc_annotator.dataset.season import STORE_FILE
 from procc_annotator.errors import UsageError
@@ -21,7 +22,7 @@ from procc_annotator.report.tracking import season_table, season_words
 
 HELP = """\
 OUT is a folder that track writes to, or wrote to; the run may go on meanwhile. A row a match: its
-state, frames, frames tracked, units of work that are done and that were set aside, frames per
+state, frames, frames tracked, frames with a camera, units of work done and set aside, frames per
 second of work in one process, mean share of the visible model on paint, when it last changed. Then
 how much is done, how fast it went in the last half hour, what is left, and the cost, if --price
 says what an hour of work in one process costs. Units that were set aside are listed with the
@@ -56,7 +57,7 @@ def status(out: Out, price: Price = None, output: Output = None) -> None:
         raise UsageError(f"{out}: holds no {STORE_FILE} (expected a folder that track writes to)")
     with UnitStore.read(out / STORE_FILE) as store:
         sheet, words = season_table(store.matches()), season_words(store, time.time(), price)
-        failed = [f"{unit.key}: {unit.error}" for unit in store.units(FAILED)]
+        failed = [f"{unit_words(unit)}: {unit.error}" for unit in store.units(FAILED)]
     stdout_console().print(sheet)
     echo(words)
     for file in files:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import os
 from contextlib import ExitStack
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
-import numpy as np
 import typer
 
 from procc_annotator.batch.execution.executor import Executor, InProcess, make_executor
@@ -17,7 +17,7 @@ from procc_annotator.batch.match_tracking import (
     TrackedMatch,
 )
 from procc_annotator.batch.season_run import SeasonRun
-from procc_annotator.batch.tracking import TRACK, TrackTask, ignore_progress
+from procc_annotator.batch.tracking import TrackTask, ignore_progress
 from procc_annotator.batch.unit_store import (
     DONE,
     FAILED,
@@ -29,11 +29,17 @@ from procc_annotator.calibration.tracking.track import MIN_COVERAGE
 from procc_annotator.cli import options, outputs, remarks
 from procc_annotator.cli.console import progress_bar, stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.tracked_matches import Anchors, Progress, TrackedMatches
+from procc_annotator.cli.tracked_matches import (
+    Anchors,
+    Progress,
+    TrackedMatches,
+    evidence_of,
+    unit_words,
+)
 from procc_annotator.dataset import remote_files
 from procc_annotator.dataset.season import STORE_FILE, Match, list_matches
 from procc_annotator.errors import UsageError
-from procc_annotator.formats.cameras.packed import PACKED_SUFFIX, PackedCameras
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 from procc_annotator.messages import pluralize
 from procc_annotator.report.tracking import season_table
 
@@ -166,12 +172,15 @@ def track(
     ):
         at_end.callback(remote_files.upload, url, STORE_FILE)
         _track_matches(tracking, store, executor, progress, asked)
-        problems = tracking.problems + [
-            f"set aside: {unit.key}: {unit.error}" for unit in store.units(FAILED)
-        ]
+        failed = [f"{unit_words(unit)}: {unit.error}" for unit in store.units(FAILED)]
         if season:
             stdout_console().print(season_table(store.matches()))
-    raise typer.Exit(remarks.report_unreadable(problems))
+    if log == "json":
+        for problem in (*tracking.problems, *failed):
+            echo(json.dumps({"problem": problem}), err=True)
+        raise typer.Exit(1 if tracking.problems or failed else 0)
+    unreadable = remarks.report_unreadable(tracking.problems)
+    raise typer.Exit(max(unreadable, remarks.report_unreadable(failed, "set aside")))
 
 
 @dataclass(frozen=True)
@@ -201,7 +210,7 @@ def _track_matches(
         tracking.fields, follow_shot, tracking.on_frame(progress) if told else ignore_progress
     )
     run = SeasonRun[TrackedMatch](
-        task, store, executor, _evidence, partial(tracking.attempted, progress, told, asked.log)
+        task, store, executor, evidence_of, partial(tracking.attempted, progress, told, asked.log)
     )
     try:
         done = {one.match for one in store.matches() if one.state == DONE}
@@ -212,8 +221,7 @@ def _track_matches(
             if match.name not in done or not tracking.is_kept(match)
         }
         for name, found in run.run(stadiums, partial(tracking.begin, store), tracking.recover):
-            store.announce(name, tracking.write(name, found), DONE)
-            store.forget(name, TRACK)
+            tracking.write(store, name, found)
             remote_files.upload(asked.url, f"{name}{PACKED_SUFFIX}")
             remote_files.remove_copies(tracking.matches[name].pictures)
     except KeyboardInterrupt:
@@ -221,13 +229,6 @@ def _track_matches(
             f"{pluralize(len(store), 'unit')} of the work are kept in {store.path}; run it"
             " again to go on"
         ) from None
-
-
-def _evidence(result: Any) -> float | None:
-    """Mean coverage of a piece; frames without a camera count as 0."""
-    if not isinstance(result, PackedCameras):
-        return None
-    return float(np.nan_to_num(result.coverage).mean())
 
 
 def _require_free(out: Path, matches: tuple[Match, ...], store_file: Path) -> None:

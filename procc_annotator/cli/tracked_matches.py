@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from procc_annotator.assist.track_anchors import TrackAnchors
 from procc_annotator.batch.match_tracking import (
@@ -18,7 +21,7 @@ from procc_annotator.batch.match_tracking import (
 )
 from procc_annotator.batch.season_run import Attempt, Plan
 from procc_annotator.batch.tracking import TRACK, UNREADABLE, TrackUnit
-from procc_annotator.batch.unit_store import Unit, UnitStore, field_settings, hex_digest
+from procc_annotator.batch.unit_store import DONE, Unit, UnitStore, field_settings, hex_digest
 from procc_annotator.calibration.single_image.proposal import KnownPosition
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.cli import options, remarks
@@ -39,6 +42,7 @@ from procc_annotator.messages import pluralize
 from procc_annotator.report.tracking import gaps_table, shots_table, tracked_words
 
 Progress = Callable[[int, int], None]
+_NUMBERS = re.compile(r"/0*([0-9]+)-0*([0-9]+)(?:/|$)")
 _LOGGED = ("match", "kind", "state", "tries", "frames", "evidence", "error")
 
 
@@ -135,20 +139,24 @@ class TrackedMatches:
         url = remote_files.url_of(match.pictures)
         place = match.pictures if url else pictures.path.absolute()
         pixels = shown.pixels or with_dataset_pixels(shown, pictures.path).pixels
+        stamp = pictures.stamp()
         plan = track_match(
             MatchToTrack(
-                name, place, pictures.stamp(), replace(shown, pixels=pixels), name, names,
+                name, place, stamp, replace(shown, pixels=pixels), name, names,
                 anchors.cameras, anchors.clicks,
                 self._known.get(match.stadium, ()) if match.stadium else (), pixels,
                 only=None if self._start is None else _number_of(self._start, names),
             )
         )  # fmt: skip
-        store.announce(name, len(names))
+        store.announce(name, frames=len(names))
+        store.keep_only(name, stamp)
         return plan
 
     def is_kept(self, match: Match) -> bool:
-        """Return whether a match that is done need not be fetched from its URL to be left alone."""
-        there = self._written(match.name) if remote_files.url_of(match.pictures) else None
+        """Return whether a match that is done is left alone: its pictures would have to be fetched
+        from a URL, or were moved away."""
+        away = remote_files.url_of(match.pictures) or not match.pictures.exists()
+        there = self._written(match.name) if away else None
         self._know(match, there)
         return there is not None
 
@@ -176,9 +184,9 @@ class TrackedMatches:
             self._read = name, there
         return self._read[1]
 
-    def write(self, name: str, found: TrackedMatch) -> int:
-        """Write what a match came to, with the shots that were followed before; returns how many
-        frames it has."""
+    def write(self, store: UnitStore, name: str, found: TrackedMatch) -> None:
+        """Write what a match came to, with the shots that were followed before; the store keeps
+        that."""
         cameras, before = found.cameras, self._written(name)
         if before is not None and len(cameras) < len(self._names[name]):
             cameras = cameras.merged(before, self._names[name])
@@ -192,7 +200,10 @@ class TrackedMatches:
             if state == UNREADABLE
         ]
         _report(name, cameras, found.jumps, self.path(name), alone=len(self.matches) == 1)
-        return len(self._names.pop(name))
+        evidence, have = evidence_of(cameras)
+        count = len(self._names.pop(name))
+        store.announce(name, DONE, frames=count, cameras=have, evidence=evidence)
+        store.forget(name, TRACK)
 
     def on_frame(self, progress: Progress) -> Callable[[TrackedFrame], None]:
         """Tells of frames as they are followed, in this process."""
@@ -217,11 +228,27 @@ class TrackedMatches:
             echo(json.dumps(about), err=True)
         elif attempt.error or not sys.stderr.isatty():
             what = attempt.error or f"{unit.frames} frames in {attempt.seconds:.1f} s"
-            echo(f"{unit.match}: {unit.kind} {unit.key.split('/')[-1]}: {what}", err=True)
+            echo(f"{unit_words(kept)}: {what}", err=True)
 
     @property
     def _total(self) -> int:
         return sum(map(len, self._names.values()))
+
+
+def unit_words(unit: Unit) -> str:
+    """How a unit is called: its match, kind of work, and numbers of frames."""
+    numbers = _NUMBERS.search(unit.key)
+    return f"{unit.match}: {unit.kind}" + (
+        f" {numbers[1]} to {int(numbers[2]) - 1}" if numbers else ""
+    )
+
+
+def evidence_of(result: Any) -> tuple[float | None, int]:
+    """Mean coverage of tracked frames, those without a camera as 0, and how many have one; None
+    and 0 for any other result."""
+    if not isinstance(result, PackedCameras):
+        return None, 0
+    return float(np.nan_to_num(result.coverage).mean()), int(result.has_camera.sum())
 
 
 def _number_of(text: str, names: Sequence[str]) -> int:

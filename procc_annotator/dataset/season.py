@@ -19,6 +19,7 @@ from procc_annotator.formats.file_source import suffix_of, walk
 from procc_annotator.image.archive import ARCHIVE_SUFFIXES
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
+FEWEST_PICTURES = 10  # of a match: fewer are posters and logos
 STORE_FILE = "track.sqlite"  # in the folder that track writes to
 COLUMNS = ("video", "match", "stadium", "field", "start")
 _EXPECTED = f"a list of matches: columns {', '.join(COLUMNS)}, of which the last four may be absent"
@@ -60,12 +61,12 @@ def kinds_met_first(path: Path) -> frozenset[str]:
 
 
 def list_matches(path: Path) -> tuple[Match, ...] | None:
-    """The matches of a season; None for a single one: a video, or a folder that holds pictures, but
-    for those kept of its videos.
+    """The matches of a season; None for a single one: a video, a folder of `FEWEST_PICTURES` or
+    more, or of folders of pictures alone.
 
     Args:
-        path: folder in which videos and archives of pictures lie, at any depth, or a ``.csv`` that
-            lists them, relative to its own folder; or a URL.
+        path: folder in which videos, archives and folders of pictures lie, at any depth, or a
+            ``.csv`` that lists them, relative to its own folder; or a URL.
 
     Raises:
         UsageError: nothing there.
@@ -82,8 +83,8 @@ def list_matches(path: Path) -> tuple[Match, ...] | None:
 
 
 def _in_tree(root: Path) -> tuple[Match, ...] | None:
-    videos: list[Path] = []
-    with_pictures: set[Path] = set()
+    found: list[Path] = []
+    pictures: Counter[Path] = Counter()
 
     def refused(error: OSError) -> None:
         raise InputError(error.filename, f"cannot be listed: {error.strerror}") from error
@@ -94,18 +95,20 @@ def _in_tree(root: Path) -> tuple[Match, ...] | None:
             suffix = "" if name.startswith(".") else Path(name).suffix.lower()
             packed = suffix in ARCHIVE_SUFFIXES and find_pictures(Path(folder, name)).folders
             if suffix in VIDEO_SUFFIXES or packed:
-                videos.append(Path(folder, name))
+                found.append(Path(folder, name))
             elif suffix in PICTURE_SUFFIXES:
-                with_pictures.add(Path(folder))
-    if not videos or with_pictures - set(map(frames_folder, videos)):
+                pictures[Path(folder)] += 1
+    if not found or pictures[root] >= FEWEST_PICTURES:
         return None
-    called = Counter(video.with_suffix("") for video in videos)
-    found = []
-    for video in natsorted(videos):
-        alone = called[video.with_suffix("")] == 1
-        named = video.relative_to(root)
-        found.append(Match((named.with_suffix("") if alone else named).as_posix(), video))
-    return tuple(found)
+    kept = set(map(frames_folder, found))
+    found += [place for place, n in pictures.items() if n >= FEWEST_PICTURES and place not in kept]
+    called = Counter(place.with_suffix("") for place in found)
+    matches = []
+    for place in natsorted(found):
+        alone = called[place.with_suffix("")] == 1 and not place.is_dir()
+        named = place.relative_to(root)
+        matches.append(Match((named.with_suffix("") if alone else named).as_posix(), place))
+    return tuple(matches)
 
 
 def _in_list(path: Path, folder: Path) -> Iterator[Match]:
@@ -118,13 +121,14 @@ def _in_list(path: Path, folder: Path) -> Iterator[Match]:
             raise InputError(path, "names no video", place=place)
         video = Path(cells["video"])
         video = video if url_of(video) else folder / video
-        name = cells["match"] or file_name(video).stem
-        if name in lines:
-            why = f"is the second match called {name!r}, beside line {lines[name]}"
+        parts = [part.strip() for part in (cells["match"] or file_name(video).stem).split("/")]
+        name = "/".join(parts)
+        if (before := lines.get(name.casefold())) is not None:
+            why = f"is the second match called {name!r}, beside line {before}"
             raise InputError(path, why, place=place, advice="give them different names (match)")
-        if Path(name).is_absolute() or ".." in Path(name).parts:
+        if not all(parts) or {".", ".."} & set(parts):
             raise InputError(path, f"match {name!r} is no name of a file", place=place)
-        lines[name] = line
+        lines[name.casefold()] = line
         yield Match(name, video, cells["stadium"], cells["field"], cells["start"])
     if not lines:
         raise InputError(path, f"lists no match, expected {_EXPECTED}")

@@ -9,7 +9,7 @@ from itertools import groupby
 
 import numpy as np
 
-from procc_annotator.batch.unit_store import DONE, MatchUnits, UnitStore
+from procc_annotator.batch.unit_store import DONE, FAILED, WAITING, MatchUnits, UnitStore
 from procc_annotator.formats.cameras.packed import PackedCameras
 from procc_annotator.messages import pluralize
 from procc_annotator.report.tables.metrics import COVERAGE, RESIDUAL
@@ -89,7 +89,7 @@ def season_table(matches: Sequence[MatchUnits]) -> MetricTable:
     columns = (
         Column("match", "match"),
         Column("state", "state"),
-        *map(count_column, ("frames", "tracked", "units", "failed")),
+        *map(count_column, ("frames", "tracked", "cameras", "units", "failed")),
         Column("frames_per_cpu_s", "frames/s", "number", written=".1f"),
         metric_column(COVERAGE),
         Column("changed", "changed"),
@@ -97,8 +97,8 @@ def season_table(matches: Sequence[MatchUnits]) -> MetricTable:
     rows = []
     for one in matches:
         speed = one.tracked / one.seconds if one.seconds else None
-        changed = _clock(one.changed) if one.done or one.failed else None
-        counts = one.frames or None, one.frames_tracked, one.done, one.failed
+        changed = None if one.progress == WAITING else _clock(one.changed)
+        counts = one.frames or None, one.frames_tracked, one.cameras, one.done, one.failed
         rows.append((one.match, one.progress, *counts, speed, one.evidence, changed))
     title = pluralize(len(rows), "match", "matches")
     return shortened(MetricTable("season", title, columns, tuple(rows)), _SHOWN_MATCHES)
@@ -115,26 +115,28 @@ def season_words(store: UnitStore, now: float, price: float | None = None) -> st
         now: seconds since 1970. price: of an hour of work in one process, for the costs.
     """
     matches = store.matches()
-    opened = [one.frames for one in matches if one.frames]
-    total = sum(opened) + (len(matches) - len(opened)) * (sum(opened) / max(len(opened), 1))
-    done = sum(one.state == DONE for one in matches)
-    tracked = sum(one.frames_tracked for one in matches)
-    seconds = sum(one.seconds for one in matches)
-    total = max(total, tracked)
-    about = "about " if len(opened) < len(matches) else ""
+    done, failed = (sum(one.progress == state for one in matches) for state in (DONE, FAILED))
+    tracked, seconds = sum(m.frames_tracked for m in matches), sum(m.seconds for m in matches)
+    wanted = [one for one in matches if one.progress != FAILED]
+    opened = [one.frames for one in wanted if one.frames]
+    total = sum(opened) + (len(wanted) - len(opened)) * sum(opened) / max(len(opened), 1)
+    left = max(total - tracked, 0.0) if done + failed < len(matches) else 0.0
+    about = "about " if len(opened) < len(wanted) else ""
     said = [
         f"{done} of {pluralize(len(matches), 'match', 'matches')} done, {tracked} of"
-        f" {about}{total:.0f} frames tracked"
+        f" {about}{max(total, tracked):.0f} frames tracked"
     ]
+    if failed:
+        said[0] += f", {pluralize(failed, 'match', 'matches')} failed"
     recent, since = store.tracked_since(now - _RECENT_S)
-    if recent:
+    if recent and left:
         speed = recent / max(now - since, 1.0)
-        said.append(f"{speed:.1f} frames/s, about {_duration((total - tracked) / speed)} left")
+        said.append(f"{speed:.1f} frames/s, about {_duration(left / speed)} left")
     hours = seconds / 3600
-    left = (total - tracked) / tracked * hours if tracked else 0.0
-    said.append(f"{hours:.1f} hours of work in one process, about {left:.1f} to come")
+    to_come = left / tracked * hours if tracked else 0.0
+    said.append(f"{hours:.1f} hours of work in one process, about {to_come:.1f} to come")
     if price is not None:
-        said.append(f"cost {hours * price:.2f}, about {left * price:.2f} to come")
+        said.append(f"cost {hours * price:.2f}, about {to_come * price:.2f} to come")
     return "; ".join(said)
 
 

@@ -22,10 +22,15 @@ from procc_annotator.translation import tr, tr_count, word
 
 _SORTED = widgets.SEARCHED + 1
 _AGAIN_MS = 5000  # track may write meanwhile
-_STATES = {"waiting": word("waiting"), "begun": word("begun"), "done": word("done")}
+_STATES = {
+    "waiting": word("waiting"),
+    "begun": word("begun"),
+    "done": word("done"),
+    "failed": word("failed"),
+}
 _COLUMNS = (word("Match"), word("Stadium"), word("Start"), word("State"), word("Frames"),
             word("Tracked"), word("On paint"), word("Failed units"))  # fmt: skip
-_NONE = MatchUnits("", WAITING, 0, 0, 0, 0, 0.0, None, 0.0)
+_NONE = MatchUnits("", WAITING, 0, 0, 0, 0, 0, 0.0, None, 0.0)
 
 
 class _Row(NamedTuple):
