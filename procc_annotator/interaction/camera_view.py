@@ -38,11 +38,7 @@ from procc_annotator.translation import word
 
 @dataclass(frozen=True, slots=True)
 class LevelLine:
-    """The line of one level.
-
-    Attributes:
-        dash: lengths on and off, points; () for a solid line.
-    """
+    """The line of one level; ``dash``: lengths on and off, points; () for a solid line."""
 
     metres: float
     dash: tuple[float, ...]

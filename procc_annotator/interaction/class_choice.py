@@ -105,7 +105,6 @@ def next_element(
     which a set need not have, come only where the frame before had them too.
 
     Args:
-        field: knows groups and distances.
         annotation: classes with points are not offered, unconfirmed ones are (they wait for a
             hand).
         finished: the class just drawn; None at the beginning of a frame.

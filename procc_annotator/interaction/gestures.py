@@ -26,7 +26,6 @@ class Hit:
 
     Attributes:
         kind: ``point``, or ``segment`` between ``index`` and ``index + 1``.
-        index: which one.
         distance_screen: screen px from the cursor.
         foot: nearest position on the target, picture px.
     """

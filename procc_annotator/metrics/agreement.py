@@ -202,7 +202,6 @@ def compare_annotations(
     Args:
         a, b: the annotations; exchanging them exchanges ``only_a`` and ``only_b`` and the order of
             the distances.
-        field: knows which elements are straight, and the mirrored labels.
         size: (width, height) in px of the picture in which distances are taken.
     """
     first, second = annotated_curves(a, field, size), annotated_curves(b, field, size)
@@ -327,12 +326,8 @@ class _ClassSums:
 
 
 class AgreementAccumulator:
-    """Gathers the frames of a set; of a frame it keeps the distances only.
-
-    Args:
-        thresholds: tau, px, for the JaC.
-        only_a, only_b: names of the frames that only one annotated.
-    """
+    """Gathers the frames of a set, with the JaC at thresholds (px); of a frame it keeps the
+    distances only. ``only_a``, ``only_b``: names of the frames that only one annotated."""
 
     def __init__(
         self,

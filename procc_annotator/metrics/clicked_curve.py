@@ -57,7 +57,6 @@ class ClickedCurve:
     Attributes:
         vertices: (M, 2) px, reach included; a closed course ends at its first vertex; a single
             vertex where all clicks lie in one place.
-        closed: whether it has no ends.
         coarse: whether it is a curve of so few clicks that it may pass the element by many pixels
             between them.
         ellipse, angles: what an open course around an ellipse goes along, and the first and the
@@ -191,12 +190,8 @@ def _distinct_consecutive(points: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class Ellipse:
-    """The unit circle, moved: ``centre + axes @ (cos, sin)``.
-
-    Attributes:
-        centre: (2,) px.
-        axes: (2, 2) px, two conjugate half diameters as columns.
-    """
+    """The unit circle, moved: ``centre + axes @ (cos, sin)``, centre (2,) px, axes (2, 2) px, two
+    conjugate half diameters as columns."""
 
     centre: FloatArray
     axes: FloatArray

@@ -259,7 +259,9 @@ def disagreement(
     """
     if step_px < 1:
         raise UsageError(f"the step must be at least 1 px, not {step_px}")
-    xs, ys = (_sample_positions(extent, step_px) for extent in size)
+    xs, ys = (
+        np.linspace(0.0, extent - 1.0, math.ceil((extent - 1) / step_px) + 1) for extent in size
+    )
     shape = (len(ys), len(xs))
     points_px = np.empty((*shape, 2))
     points_px[..., 0] = xs
@@ -282,10 +284,6 @@ def disagreement(
         ground_a.reshape(*shape, 2),
         ground_b.reshape(*shape, 2),
     )
-
-
-def _sample_positions(extent: int, step: int) -> FloatArray:
-    return np.linspace(0.0, extent - 1.0, math.ceil((extent - 1) / step) + 1)
 
 
 def _sample_widths(samples: FloatArray) -> FloatArray:

@@ -245,12 +245,8 @@ class Chords:
 
 @dataclass(frozen=True, eq=False)
 class ClippedPolylines:
-    """Projected elements of a camera.
-
-    Attributes:
-        in_sight: the pieces in the picture.
-        unclipped: the same elements as they go on beyond it; no vertex of any other element.
-    """
+    """Projected elements of a camera: the pieces in the picture, and the same elements as they go
+    on beyond it, without a vertex of any other element."""
 
     in_sight: Polylines
     unclipped: Polylines

@@ -122,12 +122,8 @@ class _ThresholdSums:
 
 
 class SetAccumulator:
-    """Gathers frame scores of one setup; parts gathered elsewhere can be merged.
-
-    Args:
-        setup: what all frames are scored with.
-        thresholds: px; every frame must bring a score at each of them.
-    """
+    """Gathers frame scores of one setup, each at all of the thresholds (px); parts gathered
+    elsewhere can be merged."""
 
     def __init__(self, setup: EvaluationSetup, thresholds: Iterable[float]) -> None:
         self.setup = setup
@@ -144,12 +140,8 @@ class SetAccumulator:
     def add(
         self, name: str, measurement: Measurement | None, scores: Mapping[float, FrameScore]
     ) -> None:
-        """Add an image that has a camera.
-
-        Args:
-            name: the frame, for the error message.
-            measurement: checked, if given, to be of this set's protocol and size.
-            scores: threshold -> score.
+        """Add an image that has a camera; the measurement, if given, is checked to be of this set's
+        protocol and size.
 
         Raises:
             UsageError: a threshold has no score, or the frame was measured differently.
@@ -274,12 +266,8 @@ def _ratio(part: float, whole: float) -> float | None:
 
 @dataclass(frozen=True, slots=True)
 class AnnotatedExtent:
-    """Annotated elements of a field in one frame.
-
-    Attributes:
-        annotated_elements: how many of its elements have points.
-        spread: the share of the picture that these points enclose; None without points.
-    """
+    """Annotated elements of a field in one frame: how many have points, and the share of the
+    picture that these points enclose (``spread``; None without points)."""
 
     annotated_elements: int
     spread: float | None

@@ -89,11 +89,8 @@ class EvaluationSetup:
         """The setup in words, to stand next to every number, e.g. ``soccernet, 960x540``.
 
         A field other than the default one is reported, as are dimensions that are not the nominal
-        ones: the official evaluation knows neither.
-
-        Args:
-            ground_only: whether cameras that know only the ground were scored.
-            sizes: picture sizes in words, where frames were scored at their own.
+        ones: the official evaluation knows neither. ``sizes``: picture sizes in words, where frames
+        were scored at their own.
         """
         words = [self.protocol, sizes or f"{self.size[0]}x{self.size[1]}"]
         if self.field.described != default_field_name():

@@ -52,11 +52,8 @@ _SHARES = (0.05, 0.1, 0.2)  # of a distance
 
 
 def element_rows(frame: FrameAgreement, lone: tuple[str, str]) -> list[Row]:
-    """One row of `ELEMENT_COLUMNS` an element.
-
-    Args:
-        lone: the status of elements of the first annotation alone, and of the second alone.
-    """
+    """One row of `ELEMENT_COLUMNS` an element; ``lone``: the status of elements of the first
+    annotation alone, and of the second alone."""
     hint = frame.mirrored_hint
     rows: list[Row] = [
         (own.class_name, "apart" if own.apart else "common", len(own.distances), own.left_out,
@@ -143,11 +140,8 @@ def inter_annotator_words(floor: AgreementInference) -> str:
 
 
 def inter_annotator_entry(floor: AgreementInference, described: str) -> dict[str, Any]:
-    """The noise floor in files: the figures, and the intervals of median and 95 %.
-
-    Args:
-        described: what the intervals rest on.
-    """
+    """The noise floor in files: the figures, and the intervals of median and 95 %, ``described`` in
+    words."""
     known = floor.known
     ends = {
         f"{figure.key}_interval": None if found is None else [found.low, found.high]
@@ -159,12 +153,8 @@ def inter_annotator_entry(floor: AgreementInference, described: str) -> dict[str
 
 
 def sample_size_table(found: AgreementInference, described: str, known: str) -> MetricTable:
-    """Return how many frames such a study needs before JaC is known to 1, 2 and 5 points and
-    distances to 5, 10 and 20 %.
-
-    Args:
-        found: the pilot. described: field and size. known: what intervals rest on.
-    """
+    """Return how many frames such a study needs, by a pilot, before JaC is known to 1, 2 and 5
+    points and distances to 5, 10 and 20 %; ``known``: what intervals rest on, in words."""
     columns = (
         Column("figure", "figure"),
         TAU,
@@ -258,7 +248,6 @@ def compare_annotators(
     Args:
         run: not yet iterated.
         clusters: which of some frames, by name, are alike.
-        progress: wraps the frames as they come, given their number and a word for the work.
 
     Raises:
         UsageError: no frame of which two files can be read; frames that cannot be clustered.

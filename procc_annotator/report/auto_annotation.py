@@ -57,10 +57,8 @@ def annotate_pictures(
     not that of the files, be a proposed point at the very same place.
 
     Args:
-        run: over these frames.
         frames: with the files their annotations belong in.
         datasets: folders whose workspaces are updated, and whether the files are theirs.
-        progress: shows the progress of what it passes on.
         done: filled on the way, so that it is right also when a person stops the work.
 
     Raises:

@@ -121,9 +121,7 @@ def calibrate_set(
     Every file appears in one step, whole; an archive only when all of it is written.
 
     Args:
-        run: the set.
         out: folder, or archive if the name ends in .zip.
-        progress: shows the progress of what it passes on.
         more: further files for OUT, by name.
         hold_out: whether the table lists elements left out.
 

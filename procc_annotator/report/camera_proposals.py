@@ -56,17 +56,12 @@ _COLUMNS = (
 )
 _SHOWN = 20
 
-Progress = Callable[[Iterable[Proposed], int, str], Iterable[Proposed]]
+Progress = Callable[[Iterable[Proposed], int, str], Iterable[Proposed]]  # items, number, a word
 
 
 @dataclass
 class ProposedSet:
-    """Result for a set of pictures.
-
-    Attributes:
-        frames: in their order.
-        positions: on which frames agreed.
-    """
+    """Result for a set of pictures: its frames in order, and positions on which frames agreed."""
 
     frames: list[Proposed] = field(default_factory=list)
     positions: tuple[KnownPosition, ...] = ()
@@ -90,9 +85,7 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposed
     table at last.
 
     Args:
-        run: over the pictures.
         out: folder; made if needed.
-        progress: shows the progress of what it passes on.
 
     Raises:
         SaveError: writing failed.
@@ -118,16 +111,12 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposed
         raise Interrupted(len(written), run.total) from None
     frames = [found[name] for name in run.names]
     for one in frames:
-        if not one.is_sure and _has_camera(one):
+        if not one.is_sure and one.proposal is not None and one.proposal.fit.camera is not None:
             written.add(_write_camera(one, out))
     _remove_older(out, run.names, written)
     table = MetricTable("proposals", "", _COLUMNS, tuple(map(_row, frames)))
     write_atomic(out / TABLE_FILE, csv_bytes(table))
     return ProposedSet(frames, positions)
-
-
-def _has_camera(one: Proposed) -> bool:
-    return one.proposal is not None and one.proposal.fit.camera is not None
 
 
 def _file_of(one: Proposed) -> str:

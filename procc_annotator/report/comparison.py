@@ -108,10 +108,6 @@ def compare_sources(
 ) -> ComparisonReport:
     """Compare every frame.
 
-    Args:
-        comparison: what to compare.
-        progress: wraps the frames as they come, given their number and a word for the work.
-
     Raises:
         UsageError: a source without ground, or no frame whose cameras can be read.
     """

@@ -48,7 +48,7 @@ from procc_annotator.report.conversion_output import (
 from procc_annotator.report.outputs import is_archive, open_target
 from procc_annotator.version import __version__
 
-Progress = Callable[[int, int], None]
+Progress = Callable[[int, int], None]  # frames done, frames in all
 
 
 def convert_annotations(
@@ -67,12 +67,9 @@ def convert_annotations(
     Args:
         path: what is read; a dataset may keep its annotations in ``annotations/``.
         out: a folder, an archive if it ends in ``.zip``, or the file of a format of one file.
-        wanted: the format and its options.
-        field: knows the official names.
         fmt: format of what is read, or ``auto``.
         names: which classes the labels of the files stand for.
         size: of pictures that are not there and whose size no file says.
-        progress: called with frames done and frames in all.
 
     Returns:
         Figures; ``frames`` is 0 if nothing was left to write, and then nothing was written.
@@ -121,14 +118,8 @@ def export_as(
     drafts: Collection[str] = (),
     progress: Progress | None = None,
 ) -> Converted:
-    """Write a dataset's annotations in any format.
-
-    Args:
-        workspace: the dataset.
-        out: as for `convert_annotations`.
-        wanted: the format and its options.
-        drafts: frames with unconfirmed elements, which are not written.
-        progress: called with frames done and frames in all.
+    """Write a dataset's annotations in any format, to ``out`` as of `convert_annotations`;
+    ``drafts``: frames with unconfirmed elements, which are not written.
 
     Raises:
         UsageError: the output lies in the dataset's annotations.
@@ -242,14 +233,12 @@ def export_cameras(
     """Write every camera of a collection in another format.
 
     Args:
-        cameras: where they are.
         out: a folder (made if needed), or an archive if it ends in ``.zip``.
         to: one of `io.camera_writers.CAMERA_TARGETS`.
         size: (width, height) px the cameras shall be written for; by default their own.
         camera_size: the picture size their pixels belong to, where their files do not say.
         split: the folder inside a submission.
         region: of the ground, metres, over which cameras become homographies; None for none.
-        progress: called with cameras done and cameras in all.
 
     Raises:
         UsageError: no such format, or ``out`` is where the cameras are.

@@ -156,11 +156,7 @@ def write_converted(
     """Write frames in a format.
 
     Args:
-        frames: what is written.
         out: a folder, an archive if it ends in ``.zip``, or the file of a format of one file.
-        target: the format.
-        wanted: its options.
-        field: names, order and colours of the elements.
         inputs: real paths of the files that are read.
         picture_of: where a frame's picture is; None if nowhere.
 

@@ -46,7 +46,7 @@ from procc_annotator.report.scores.score_files import (
 NO_CAMERAS = "no cameras were given: nothing to score against"
 JAC_FILES = ("jac.csv", "jac.json")
 
-Progress = Callable[[int, int], None]
+Progress = Callable[[int, int], None]  # frames done, frames in all
 
 
 @dataclass
@@ -109,7 +109,6 @@ def export_dataset(
     Args:
         out: a folder (made if needed), or an archive if it ends in ``.zip``.
         scoring: what to score with, to ``jac.csv`` and ``jac.json``; None writes no scores.
-        progress: called with frames done and frames in all.
         split: the folder inside OUT.
         keep_optional: whether elements that SoccerNet has no class for are written as well; a
             field of another sport keeps them anyway.
@@ -185,11 +184,8 @@ def export_scores(
     *,
     only: Container[str] | None = None,
 ) -> Exported:
-    """Write the JaC of every annotated frame to one ``.json`` or ``.csv`` file.
-
-    Args:
-        progress: called with frames done and frames in all.
-        only: frames whose score may be known; None for all.
+    """Write the JaC of every annotated frame, or of ``only`` those whose score may be known, to one
+    ``.json`` or ``.csv`` file.
 
     Raises:
         UsageError: another suffix.

@@ -28,18 +28,12 @@ NO_CAMERA = "no camera"
 _SHOWN = 20
 _SUFFIXES = (".csv", ".json")
 
-Progress = Callable[[Iterable[Checked], int, str], Iterable[Checked]]
+Progress = Callable[[Iterable[Checked], int, str], Iterable[Checked]]  # items, number, a word
 
 
 class ReportedFinding(NamedTuple):
-    """A finding as it is reported.
-
-    Attributes:
-        frame: where.
-        finding: what.
-        size: (width, height) px of the picture that its distances are px of.
-        key: of what was found in which points, as the window ignores it.
-    """
+    """A finding as it is reported, with the (width, height) px of the picture that its distances
+    are px of, and a key of what was found in which points, as the window ignores it."""
 
     frame: str
     finding: Finding
@@ -51,7 +45,6 @@ class FrameWithoutCamera(NamedTuple):
     """A frame without a camera: only the rules that need none were examined.
 
     Attributes:
-        frame: its name.
         elements: number of annotated classes.
         failure: why there is no camera.
         size: as of `ReportedFinding`.
@@ -73,7 +66,6 @@ class CheckReport:
         found: in the order of the frames; those that were asked for.
         severities: of all findings, also of those no one asked for.
         unreadable: (frame, why its annotation cannot be read).
-        without_camera: the frames that no camera could be fitted to.
         remarks: on the sizes of the pictures, one line each.
         wrong_field: whether the set must be another field's: what is said of it as a whole is not
             reported again class by class.
@@ -118,12 +110,8 @@ def check_set(
     least: Severity = Severity.HINT,
     wrong_field: bool = False,
 ) -> CheckReport:
-    """Check a set and write what was found.
-
-    Args:
-        outputs: .csv and .json files, each replaced in one step.
-        least: what is less severe is left out.
-        wrong_field: as of `CheckReport`.
+    """Check a set and write what is at least as severe as ``least`` to .csv and .json files, each
+    replaced in one step.
 
     Raises:
         SaveError: writing failed.

@@ -15,12 +15,7 @@ from procc_annotator.report.tables.table import (
 
 
 def landmarks_table(located: Sequence[LocatedLandmark], described: str) -> MetricTable:
-    """One row a landmark, and an instant if it moves.
-
-    Args:
-        located: in the order of the rows.
-        described: where the cameras come from.
-    """
+    """One row a landmark, and an instant if it moves; ``described``: where cameras come from."""
     columns = (
         Column("landmark", "landmark"),
         Column("instant", "instant"),

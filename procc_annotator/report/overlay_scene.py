@@ -147,12 +147,8 @@ class Rendered:
 
 @dataclass(frozen=True)
 class Rendering:
-    """A dataset, drawn frame by frame.
-
-    Attributes:
-        threshold: px, decides the colours.
-        painted_width: whether the borders of painted lines are drawn, too.
-    """
+    """A dataset, drawn frame by frame, coloured by a threshold, px; with the borders of painted
+    lines if ``painted_width``."""
 
     workspace: Workspace
     setup: EvaluationSetup
@@ -199,11 +195,8 @@ class Rendering:
 def render_pictures(
     rendering: Rendering, out: Path, paint: OverlayPainter, suffix: str = ".png"
 ) -> Iterator[Rendered]:
-    """Write one picture per frame, yielding what is done so far after each.
-
-    Args:
-        out: folder of the pictures, made if needed.
-        suffix: the encoding that ``paint`` produces.
+    """Write one picture per frame to a folder (made if needed), in the encoding that ``paint``
+    produces, yielding what is done so far after each.
 
     Raises:
         SaveError: a picture cannot be written.

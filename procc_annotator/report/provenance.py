@@ -25,15 +25,12 @@ def export_provenance(
     *,
     only: Container[str] | None = None,
 ) -> Exported:
-    """Write a JSON file of the origins of all points.
+    """Write a JSON file of the origins of all points, or of those in ``only`` some frames.
 
     ``frames``: one entry a frame and class, in the order of the points: ``[origin, author, unix
     time]``. Points that nothing is known of are ``null``: they come from a file. ``blind``: one
     entry a frame that was committed in blind mode: whether it still is as it was then, or edited
     after the cameras were shown, who committed it, and when.
-
-    Args:
-        only: names of frames, where nothing is to be reported of others.
 
     Raises:
         InputError: the database cannot be read, as once another dataset was opened.

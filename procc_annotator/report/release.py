@@ -36,7 +36,7 @@ from procc_annotator.version import __version__
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-Progress = Callable[[int, int], None]
+Progress = Callable[[int, int], None]  # frames done, frames in all
 
 FINDINGS_FILE, AGREEMENT_FILE = "findings.csv", "agreement.json"
 PROVENANCE_FILE, FIELD_COPY = "provenance.json", "field.toml"
@@ -55,9 +55,7 @@ class ReleaseDescription:
     Attributes:
         date: ``2026-05-01``.
         licence: SPDX identifier or URL; empty for none.
-        creators: names of people.
         url: of the dataset; empty for none.
-        description: a paragraph.
         citation: BibTeX; empty for none.
     """
 
@@ -204,11 +202,7 @@ def gather_frames(
 
 
 def count_origins(provenance: bytes) -> dict[str, int]:
-    """Number of points by origin, the most frequent first.
-
-    Args:
-        provenance: as `report.provenance` writes it.
-    """
+    """Number of points by origin, the most frequent first, in a file of `report.provenance`."""
     counts = Counter(
         "from a file" if point is None else str(point[0])
         for elements in json.loads(provenance)["frames"].values()

@@ -145,10 +145,8 @@ def measure_over_time(
     executor: Executor,
     progress: Callable[[int, int], None] = lambda _done, _total: None,
 ) -> TemporalMetrics:
-    """Measure a source over the shots of a set.
-
-    Args:
-        known: the shots, what says so, and pictures by frame. threshold: px, of JaC.
+    """Measure a source over the shots of a set; ``known``: the shots, what says so, and pictures by
+    frame; the threshold, px, is that of JaC.
 
     Raises:
         UsageError: frames that do not follow each other.

@@ -109,11 +109,8 @@ def _clock(time_s: float) -> str:
 
 
 def season_words(store: UnitStore, now: float, price: float | None = None) -> str:
-    """How much is done, how fast it goes, and what is left.
-
-    Args:
-        now: seconds since 1970. price: of an hour of work in one process, for the costs.
-    """
+    """How much is done ``now`` (seconds since 1970), how fast it goes, what is left, and what it
+    costs at the price of an hour of work in one process."""
     matches = store.matches()
     done, failed = (sum(one.progress == state for one in matches) for state in (DONE, FAILED))
     tracked, seconds = sum(m.frames_tracked for m in matches), sum(m.seconds for m in matches)

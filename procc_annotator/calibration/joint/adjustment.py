@@ -402,15 +402,11 @@ def profile_at_position(
     found = fit_at_position(sighting, position, field)
     free, vector = FREE_PARAMETERS[sighting.model], found.vector
     residuals = pinhole_residuals(vector[None], sighting.seen, sighting.frame.half_diagonal, free)
-    own = frame_parameters(vector, free)
+    # A radial coefficient on its bound is no parameter of the frame.
+    own = np.setdiff1d(unbounded_parameters(vector, free), POSITION_PARAMETERS)
     order = np.concatenate([POSITION_PARAMETERS, own])
     ordered = replace(residuals, derivatives=residuals.derivatives[:, order])
     return reduce_frame(vector, ordered, sighting.kept.weights, found.prior, own)
-
-
-def frame_parameters(vector: FloatArray, free: int) -> NDArray[np.intp]:
-    """Free parameters next to the position; a radial coefficient on its bound is none."""
-    return np.setdiff1d(unbounded_parameters(vector, free), POSITION_PARAMETERS)
 
 
 def fit_result_at_position(

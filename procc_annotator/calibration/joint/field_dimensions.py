@@ -235,11 +235,8 @@ class StadiumFit:
 
 
 def fittable_dimensions(field: Field, names: Sequence[str] | None = None) -> tuple[str, ...]:
-    """Names of dimensions that can be fitted.
-
-    Args:
-        names: those that are wanted. If it is None: length and width, where the rules leave them
-            open; else all that they leave open.
+    """Those of the named dimensions that can be fitted; without names length and width, where the
+    rules leave them open, else all that they leave open.
 
     Raises:
         UsageError: no such dimension, or the rules leave it no range.
@@ -276,7 +273,6 @@ def fit_dimensions(
         annotations: frame -> normalised points.
         alone: frame -> its own fit (P, R or R+), on the field as it is.
         field: the elements; the dimensions start from its values.
-        names: of dimensions, see `fittable_dimensions`.
         on_step: called every few milliseconds; may raise to stop.
 
     Raises:
@@ -295,11 +291,13 @@ def fit_dimensions(
         fields = _FieldVariants(field, names)
         moved = float(np.abs(shared.values - fields.start).max())
         field = fields.at(shared.values)
-        again = {
-            name: _refit_on_field(annotations[name], fit, field, on_step)
-            for name, fit in alone.items()
-        }
-        again = {name: fit for name, fit in again.items() if _is_informative_fit(fit)} or fits
+        again = {}  # what is left out, and whether there is a camera, changes with the field
+        for name, fit in alone.items():
+            on_step()
+            refitted = fit_camera(annotations[name], field, model=fit.model, size=fit.size)
+            if _is_informative_fit(refitted):
+                again[name] = refitted
+        again = again or fits
         same = {n: f.left_out for n, f in again.items()} == {n: f.left_out for n, f in fits.items()}
         fits = again
         if same and moved < _CONVERGED_M:
@@ -309,18 +307,6 @@ def fit_dimensions(
 
 def _is_informative_fit(fit: FitResult) -> bool:
     return fit.camera is not None and fit.model in FREE_PARAMETERS
-
-
-def _refit_on_field(
-    annotation: FrameAnnotation,
-    alone: FitResult,
-    field: Field,
-    on_step: Callable[[], None],
-) -> FitResult:
-    """A frame fitted on another field: what is left out, and whether there is a camera, may change
-    with it."""
-    on_step()
-    return fit_camera(annotation, field, model=alone.model, size=alone.size)
 
 
 class _FieldVariants:

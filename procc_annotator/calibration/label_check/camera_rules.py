@@ -210,10 +210,10 @@ def _mirror_finding(doubted: SuspectFrame, fit: FitResult) -> Finding | None:
         return None
     # Both reflections fit alike; the main camera stands on the near side.
     near = isinstance(better.camera, PosedCamera) and better.camera.position_world[1] > 0
-    remedies = [
-        Remedy(RemedyKind.RELABEL, MIRROR_REMEDY_TEXTS[signs], _swap_pairs(doubted.names, names))
-        for names, signs in ways
-    ]
+    remedies = []
+    for names, signs in ways:
+        renamed = tuple((name, names[name]) for name in doubted.names if names[name] != name)
+        remedies.append(Remedy(RemedyKind.RELABEL, MIRROR_REMEDY_TEXTS[signs], renamed))
     if not near:
         remedies.reverse()
         ways.reverse()
@@ -242,10 +242,6 @@ def _improvement(
         after=after_px,
         before=before_px,
     )
-
-
-def _swap_pairs(names: Collection[str], becomes: Mapping[str, str]) -> tuple[tuple[str, str], ...]:
-    return tuple((name, becomes[name]) for name in names if becomes[name] != name)
 
 
 def _mistake_findings(doubted: SuspectFrame, found: Explanation) -> Iterator[Finding]:

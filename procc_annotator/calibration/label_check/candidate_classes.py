@@ -51,12 +51,9 @@ def distances_to_classes(
     *,
     as_counted: bool = False,
 ) -> dict[str, FloatArray]:
-    """Distances of a polyline's n distinct points to classes of the field as a camera (11,) shows
-    them; with ``as_counted`` those to landmarks that are not known exactly count less, as in a fit.
-
-    Returns:
-        Class -> (n,) solver px; nothing if the polyline has no usable point.
-    """
+    """Distances (n,), solver px, of a polyline's n distinct points to each class of the field as a
+    camera (11,) shows it; empty without a usable point. With ``as_counted`` those to landmarks that
+    are not known exactly count less, as in a fit."""
     disguised = FrameAnnotation(tuple(Polyline(name, polyline.points) for name in names))
     seen = build_observations(disguised, field, frame)
     if seen is None:
@@ -109,12 +106,9 @@ def _is_possible_class(element: Element, own: Element | None, count: int) -> boo
 def farthest_point(
     polyline: Polyline, field: Field, frame: ImageFrame, vector: FloatArray
 ) -> tuple[int, float, float] | None:
-    """The point of a polyline that is farthest from its element.
-
-    Returns:
-        Its index, its distance, and the largest distance of the other points (0 without others),
-        solver px as they count; None for a polyline without usable points.
-    """
+    """The index of the point of a polyline that is farthest from its element, its distance, and the
+    largest distance of the other points (0 without others), solver px as they count; None for a
+    polyline without usable points."""
     known = [i for i, p in enumerate(polyline.points) if np.isfinite((p.u, p.v)).all()]
     name = polyline.class_name
     alone = (Polyline(name, (polyline.points[i],)) for i in known)
@@ -167,7 +161,6 @@ def refit_all_points(
     mistake.
 
     Args:
-        loss: of a point's distance.
         without: classes that have no say; their distances are given all the same.
 
     Returns:
@@ -201,14 +194,11 @@ def leave_one_out_errors(
     vector: FloatArray,
     model: str,
 ) -> tuple[float, float] | None:
-    """Leave-one-out: how far the other elements are off when all count, and without some.
+    """Leave-one-out: mean over the other elements of each one's largest distance, solver px, with
+    and without those that are ``wrong``; None where nothing else is left.
 
-    Both fits are plain least squares from the camera (11,) without the mistakes: a robust fit
-    would hardly notice them.
-
-    Returns:
-        Mean over the other elements of each one's largest distance, solver px, with and without
-        ``wrong``; None where nothing else is left.
+    Both fits are plain least squares from the camera (11,) without the mistakes: a robust fit would
+    hardly notice them.
     """
     means = []
     for without in ((), wrong):

@@ -273,12 +273,9 @@ _MIN_NAME_SIMILARITY = 0.75
 def unknown_class_findings(
     evidence: FrameEvidence, known: Sequence[Finding]
 ) -> tuple[Finding, ...]:
-    """Annotated classes that the field does not know; those without geometry are known.
-
-    Returns:
-        An error where a class is nearly called so, with the right name if it is free; else a
-        warning, for no fit uses the element and no camera can show it.
-    """
+    """Annotated classes that the field does not know (those without geometry are known): an error
+    where a class is nearly called so, with the right name if it is free; else a warning, for no fit
+    uses the element and no camera can show it."""
     annotation, field = evidence.annotation, evidence.field
     return tuple(
         _unknown_class_finding(name, annotation, field)

@@ -257,12 +257,10 @@ PLAUSIBLE_KAPPAS = np.linspace(MIN_KAPPA, 0.3, 8)
 
 def undistort_points(points: FloatArray, kappa: float, frame: ImageFrame) -> FloatArray:
     """Points (n, 2), solver px from the picture's centre, as a lens of radial coefficient 0 would
-    show them.
+    show them: the solution r of r (1 + kappa r^2 / h^2) = distance.
 
-    Returns:
-        (n, 2) solver px: the solution r of r (1 + kappa r^2 / h^2) = distance. What a lens of
-        negative kappa does not show, farther out than it reaches, is taken for lying at the edge
-        of what it does.
+    What a lens of negative kappa does not show, farther out than it reaches, is taken for lying at
+    the edge of what it does.
     """
     vector = np.zeros((1, FREE_PARAMETERS["R+"]))
     vector[0, KAPPA] = kappa

@@ -134,12 +134,8 @@ def best_explanation(
     doubted: SuspectFrame, fit: FitResult, suspects: Collection[str]
 ) -> Explanation | None:
     """The best explanation of a robust fit, or its failure, that does not fit; ``suspects`` are the
-    elements that are off under it.
-
-    Returns:
-        None where too few elements are left to say; an explanation without mistakes where a
-        better camera fits them all.
-    """
+    elements that are off under it. None where too few elements are left to say; without mistakes
+    where a better camera fits all."""
     first = (
         _iterate_outliers(doubted, set(suspects), fit.camera) if fit.camera is not None else None
     )

@@ -67,7 +67,7 @@ def short_end_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> Ite
             seen = evidence.paint.get(one.name)
             if seen is not None and seen.ends_at(index, gap * frame.scale / seen.scale):
                 continue  # it is hidden there, or ends
-            if place is not None and _is_relevant_gap(gap * frame.scale):
+            if place is not None and _MIN_GAP_PX < gap * frame.scale < _MAX_GAP_PX:
                 gaps.append((gap, place[1]))
         if gaps:
             yield Finding(
@@ -93,10 +93,6 @@ def _gap_sentence(title: str, gaps: Sequence[tuple[float, str]]) -> str:
             what_2=what_2,
         )
     return translatable("{title} stops {px:.0f} px short of {what}", title=title, px=px, what=what)
-
-
-def _is_relevant_gap(gap_px: float) -> bool:
-    return _MIN_GAP_PX < gap_px < _MAX_GAP_PX
 
 
 def _inside_image(points: FloatArray, frame: ImageFrame) -> FloatArray:

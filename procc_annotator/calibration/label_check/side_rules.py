@@ -14,7 +14,7 @@ Half a turn of the field changes neither.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import combinations
@@ -79,7 +79,7 @@ class OrientationRelations:
 def orientation_relations(elements: tuple[Element, ...]) -> OrientationRelations:
     """The relations of a field's elements; those off the ground are left out."""
     ground = [element for element in elements if element.on_ground]
-    things = [_outline(element) for element in ground]
+    things = [outline_of(element.geometry)[:, :2] for element in ground]
     corners: list[Corner] = []
     for i, one in enumerate(ground):
         for j in range(i + 1, len(ground)):
@@ -143,11 +143,6 @@ def signed_altitudes(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
 
 def _cross_2d(a: FloatArray, b: FloatArray) -> FloatArray:
     return np.asarray(a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0])
-
-
-def _outline(element: Element) -> FloatArray:
-    """(n, 2) metres: points whose convex hull is about that of a ground element."""
-    return outline_of(element.geometry)[:, :2]
 
 
 def _intersection_point(one: Element, other: Element) -> FloatArray | None:
@@ -343,17 +338,12 @@ def wrong_side_findings(
     swaps = [
         pair
         for pair in combinations(sorted(frozenset.union(*found.all), key=names.index), 2)
-        if _concerns_all(pair, found)
+        if not any(some.isdisjoint(pair) for some in found.all)  # or contradictions would remain
         and not contradictions(
             _relabelled_elements(clicked, dict((pair, pair[::-1])), field), field, frame
         ).all
     ]
     return (_several_elements_finding(common, swaps, found, field, names),)
-
-
-def _concerns_all(names: Iterable[str], found: Contradictions) -> bool:
-    """Whether each contradiction is with one of some classes: others would remain."""
-    return not any(frozenset(names).isdisjoint(some) for some in found.all)
 
 
 def _relabelled_elements(

@@ -77,12 +77,8 @@ class EdgePoints:
 def edge_point_errors(
     vectors: FloatArray, marks: EdgePoints, half_diagonal: float, free: int = PARAMETERS_FREE
 ) -> tuple[FloatArray, FloatArray]:
-    """Return how far n marks are from where cameras (B, 11) show them, across.
-
-    Returns:
-        (B, n) solver px, and (B, n, free) derivatives of where the cameras show them, by the first
-        ``free`` parameters.
-    """
+    """Return how far n marks are from where cameras (B, 11) show them, across: (B, n) solver px,
+    and (B, n, free) derivatives of where they show them, by the first ``free`` parameters."""
     lens = Lens.of(vectors, half_diagonal)
     places = marks.world.astype(np.float64)
     world = np.broadcast_to(places, (len(vectors), *places.shape))
@@ -102,12 +98,8 @@ MIN_WEIGHT = 0.25  # weight from which on it is
 
 @dataclass(frozen=True, eq=False)
 class GaussianState:
-    """A camera, and how surely it is known.
-
-    Attributes:
-        vector: (11,) parameters.
-        information: (8, 8) inverse covariance of the free ones; 0 of what no one knows.
-    """
+    """The (11,) parameters of a camera, and how surely they are known: (8, 8) inverse covariance of
+    the free ones; 0 of what no one knows."""
 
     vector: FloatArray
     information: FloatArray
@@ -197,12 +189,8 @@ _MAX_CORRELATED = 12.0
 
 @dataclass(frozen=True, slots=True)
 class EdgeNoiseModel:
-    """Noise model of edge points.
-
-    Attributes:
-        error_px: standard deviation of one of them, solver px.
-        together: how many of them are worth one, for neighbours err together.
-    """
+    """Noise of edge points: standard deviation of one, solver px, and how many ``together`` are
+    worth one, for neighbours err together."""
 
     error_px: float
     together: float

@@ -31,12 +31,8 @@ _WIDTHS_PX = np.arange(0.25, 2.01, 0.25)
 
 
 def line_centres(cuts: Values, width_px: FloatArray) -> FloatArray:
-    """Return how far, px (n,), the middles of lines lie from those of their cuts.
-
-    Args:
-        cuts: (n, 2 * `PROFILE_HALF_SAMPLES` + 1, c) values in c colours, `STEP_PX` apart.
-        width_px: (n,) of the lines, px, at most 2.
-    """
+    """Return how far, px (n,), the middles of lines of a width (n,), px, at most 2, lie from those
+    of their cuts (n, 2 * `PROFILE_HALF_SAMPLES` + 1, c) in c colours, `STEP_PX` apart."""
     kind = np.clip(np.round(width_px / _WIDTHS_PX[0]).astype(np.intp) - 1, 0, len(_WIDTHS_PX) - 1)
     level = (cuts - cuts.mean(axis=1, keepdims=True)).transpose(0, 2, 1)
     found = np.empty(len(cuts))

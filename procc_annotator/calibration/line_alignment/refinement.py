@@ -45,12 +45,7 @@ POINT_SPACING_PX = 5.0
 
 @dataclass(frozen=True, eq=False)
 class LineMeasurement:
-    """Paint next to n expected places.
-
-    Attributes:
-        offsets: what was found next to them.
-        marks: of those next to which something was.
-    """
+    """Paint next to n expected places, and the marks of those next to which some was found."""
 
     expected: ExpectedLinePoints
     offsets: LineOffsets
@@ -141,12 +136,8 @@ _LONG_PX, _MISSED = 150.0, 0.2
 
 @dataclass(frozen=True, eq=False)
 class NearbyEdgePoints:
-    """Paint on and next to elements.
-
-    Attributes:
-        marks: n places.
-        length_px: (n,) solver px of the element that each stands for.
-    """
+    """Paint on and next to elements: n edge points, and (n,) solver px of the element that each
+    stands for."""
 
     marks: EdgePoints
     length_px: FloatArray

@@ -90,7 +90,7 @@ def camera_from_vector(vector: FloatArray, frame: ImageFrame) -> PinholeCamera:
     fy = focal / frame.scale
     (cx, cy), scale_x = frame.centre_px, frame.scales[0]
     return PinholeCamera(
-        _wrap_angle(float(vector[PAN])),
+        math.remainder(float(vector[PAN]), math.tau),
         float(vector[TILT]),
         float(vector[ROLL]),
         (float(vector[X]), float(vector[Y]), float(vector[Z])),
@@ -219,7 +219,3 @@ def homography_from_camera(camera: HomographyCamera, frame: ImageFrame) -> Float
     matrix = solver @ camera.image_from_world
     norm = float(np.hypot(matrix[2, 0], matrix[2, 1]))
     return np.asarray(matrix / norm if norm > 0 else matrix)
-
-
-def _wrap_angle(angle: float) -> float:
-    return math.remainder(angle, 2 * math.pi)

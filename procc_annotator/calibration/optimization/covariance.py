@@ -94,12 +94,9 @@ def projected_jacobian(
     free: int,
     points_world: FloatArray,
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Return how the places where N field points appear change with the n free parameters; the
-    arguments are those of `projected_covariance`.
-
-    Returns:
-        (N, 2, n) solver px; (N,) whether the camera shows the point, the others' are meaningless.
-    """
+    """Return how the places where N field points appear change with the n free parameters: (N, 2,
+    n) solver px; and (N,) whether the camera shows each point, others' values are meaningless.
+    Arguments as of `projected_covariance`."""
     world = np.ascontiguousarray(points_world.T)[None]
     if basis is not None:
         derivatives, depth = homography_derivatives(vector[None], basis, world)

@@ -150,12 +150,8 @@ _RelativePositions = tuple[tuple[float, float, float], ...]
 
 @dataclass(frozen=True, eq=False)
 class InitialCameras:
-    """Cameras to start from.
-
-    Attributes:
-        vectors: (B, 11) parameters.
-        sides: (B,) index in `SIDES` of the side each one stands on.
-    """
+    """Cameras to start from: (B, 11) parameters, and (B,) index in `SIDES` of the side each one
+    stands on."""
 
     vectors: FloatArray
     sides: IntArray

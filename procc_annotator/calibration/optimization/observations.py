@@ -143,13 +143,8 @@ MAX_POINTS = 64
 
 @dataclass(frozen=True)
 class ImageFrame:
-    """The picture: its size, and the scale between its pixels and those of the solver, which are
-    square.
-
-    Attributes:
-        size: (width, height) px.
-        pixel_aspect: width of the picture's pixels over their height.
-    """
+    """The picture: its size, (width, height) px, the width of its pixels over their height, and the
+    scale between them and those of the solver, which are square."""
 
     size: tuple[int, int]
     pixel_aspect: float = 1.0

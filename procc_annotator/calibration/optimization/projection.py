@@ -200,7 +200,6 @@ def project(
     """Project points and differentiate by the camera's parameters.
 
     Args:
-        lens: B cameras.
         world: (B or 1, 3, N) metres, in front of the cameras.
         along: (B or 1, 3, N) a direction at each point, metres.
         free: derivatives by the first so many parameters; 0 for none, else at least those of P.

@@ -44,12 +44,8 @@ class Residuals:
 def residual_components(
     values: FloatArray, whole: NDArray[np.bool_], counted: NDArray[np.bool_]
 ) -> FloatArray:
-    """The single numbers (M,), solver px, that N residuals are made of, one or two each.
-
-    Args:
-        values, whole: (2, N) and (N,) of one camera's `Residuals`.
-        counted: (N,) which of the points to take.
-    """
+    """The single numbers (M,), solver px, that the ``counted`` (N,) ones of N residuals are made
+    of, one or two each; values (2, N) and whole (N,) are those of one camera's `Residuals`."""
     return np.concatenate([values[0, counted], values[1, counted & whole]])
 
 
@@ -68,7 +64,6 @@ def pinhole_residuals(
         seen: N points, or those of several frames, each camera of one of them.
         half_diagonal: half the picture's diagonal, solver px.
         free: derivatives by the first so many parameters.
-        thorough: see `find_closest_points`.
     """
     lens = Lens.of(vectors, half_diagonal)
     bent = seen.shared(lens.bend[:, 0] != 0) if isinstance(seen, BatchedObservations) else None

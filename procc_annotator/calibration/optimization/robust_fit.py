@@ -189,7 +189,6 @@ def final_fit(
         vectors: (1, n) parameters to begin with, nearly right.
         left_out: (E,) elements taken for mistakes.
         residuals: (B, n) parameters, observations -> residuals.
-        prior: on the free parameters.
         basis: (3, 3) homography that is corrected; None for a pinhole.
     """
     bounded = None if basis is not None else lower_bounded_parameter(vectors)
@@ -297,13 +296,11 @@ def refine_camera(scene: FitScene, model: str, start: FloatArray) -> CameraSolut
 def inlier_elements_near(
     scene: FitScene, start: FloatArray, model: str
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Which elements to believe near a camera (11,) of a model P, R or R+ that was known before.
+    """Return (11,) parameters to go on from, and (E,) the elements to leave out, near a camera
+    (11,) of a model P, R or R+ that was known before.
 
-    Usually the last edit changed little: what was a mistake still is, and nothing else. But what
-    is far off may only be new: where the camera was little known it has much to say.
-
-    Returns:
-        (11,) parameters to go on from, and (E,) the elements to leave out.
+    Usually the last edit changed little: what was a mistake still is, and nothing else. But what is
+    far off may only be new: where the camera was little known it has much to say.
     """
     around, free = scene.around, FREE_PARAMETERS[model]
     residuals = scene.residuals(free)

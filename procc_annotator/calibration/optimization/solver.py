@@ -373,7 +373,7 @@ def _solve_batch(requests: Sequence[SolveRequest]) -> list[Solution]:
     )
     for made in range(1, limit + 1):
         state.step(problem, tolerance, hopeless)
-        going = problem.any_of_frame(state.running)
+        going = np.array([state.running[rows].any() for rows in problem.rows])
         for row, one in enumerate(batch):
             if one not in found and (made == limit or not going[row]):
                 found[one] = replace(problem.solution_of(state.at, row), steps=made)
@@ -456,10 +456,6 @@ class _BatchProblem(Problem):
         ended = np.where(running, np.inf, costs)
         least = np.array([ended[rows].min() for rows in self.rows])[self.frame_of_row]
         return np.asarray((costs <= hopeless * least) | np.isinf(least))
-
-    def any_of_frame(self, of_rows: NDArray[np.bool_]) -> NDArray[np.bool_]:
-        """(F,) whether what is said of cameras (B,) holds of any of a frame's."""
-        return np.array([of_rows[rows].any() for rows in self.rows])
 
     def solution_of(self, at: Solution, frame: int) -> Solution:
         """The searches of one frame among those of all."""

@@ -33,12 +33,8 @@ _MIN_JOINT_LENGTH_PX = 15.0
 
 @dataclass(frozen=True, eq=False)
 class ElementJoint:
-    """Another element at an end of an element.
-
-    Attributes:
-        name: the other class.
-        course_px: (n, 2) px around that end, where the camera expects the other element, n >= 2.
-    """
+    """Another element at an end of an element, and its course (n, 2), n >= 2, px, around that end,
+    where the camera expects it."""
 
     name: str
     course_px: FloatArray

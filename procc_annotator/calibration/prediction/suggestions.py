@@ -47,12 +47,8 @@ Float32 = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class _ExpectedViews:
-    """Places where usual cameras show elements, shares of the picture's width.
-
-    Attributes:
-        names: (E,) elements.
-        x, y: (P, E, B) places along them, not a number outside the picture.
-    """
+    """Places (P, E, B) along E elements where usual cameras show them, shares of the picture's
+    width; NaN outside the picture."""
 
     names: tuple[str, ...]
     x: Float32

@@ -373,12 +373,8 @@ _DAMPING_FACTOR = 1.02
 
 @dataclass(frozen=True, eq=False)
 class SearchScene:
-    """Inputs of a search.
-
-    Attributes:
-        known: where its camera stands, (1, 8) means and inverse standard deviations; None if it
-            may stand anywhere.
-    """
+    """Inputs of a search; ``known``: where its camera stands, (1, 8) means and inverse standard
+    deviations; None if it may stand anywhere."""
 
     lines: FieldLinePoints
     paint: ImageLinePixels

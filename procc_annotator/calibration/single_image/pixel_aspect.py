@@ -58,11 +58,7 @@ def possible_pixel_aspects(size: tuple[int, int]) -> tuple[PixelAspect, ...]:
 
 @dataclass(frozen=True, eq=False)
 class AspectSample:
-    """The best camera of a picture with some pixel aspect.
-
-    Attributes:
-        position_m: (3,) metres.
-    """
+    """The best camera of a picture with some pixel aspect; positions are (3,) metres."""
 
     evidence: ProposalEvidence
     position_m: FloatArray

@@ -131,11 +131,7 @@ def propose_camera(
 
 @dataclass(frozen=True, eq=False)
 class FoundCamera:
-    """The best camera of a picture with square pixels.
-
-    Attributes:
-        candidate: it, in px of that picture.
-    """
+    """The best camera of a picture with square pixels, px of that picture."""
 
     candidate: BestCandidate
     evidence: ProposalEvidence

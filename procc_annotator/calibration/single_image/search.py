@@ -244,8 +244,6 @@ class SearchStage:
     """One round: those that are left climb, and the best of them go on.
 
     Attributes:
-        scales_px: see `climb`.
-        places, paint: what they climb by.
         within_px: what counts as on paint, to judge them.
         judged: how many places on lines, and of the paint, judge them.
         unlikely: what unlikeliness costs.

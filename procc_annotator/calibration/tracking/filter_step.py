@@ -102,8 +102,6 @@ def unexplained_beside(
         seen: the line pixels of the whole picture.
         vector: (11,) of the camera.
         missed: numbers in `Painted.names` of elements without line pixels.
-        painted: the field's paint.
-        frame: the picture.
 
     Returns:
         Number of the element -> distance of that line, solver px.
@@ -239,7 +237,6 @@ def predict_state(
         belief: of the frame before.
         turn: how the picture says it moved.
         last: (4,) the step before, which goes on more slowly where nothing decides.
-        stand: what the camera stands on.
     """
     covariance = belief.covariance
     vector = belief.vector.copy()
@@ -284,8 +281,6 @@ def filter_step(
         picture: (H, W, 4) BGRA.
         believed: before the frame's paint, see `foretold`.
         turn: what went into that.
-        painted: the field's paint.
-        frame: the picture.
         worth: of a mark in the frame before.
     """
     expected = expected_line_points(believed.vector, painted, frame, POINT_SPACING_PX)
@@ -340,8 +335,6 @@ def remeasured_step(
     Args:
         picture: (H, W, 4) BGRA.
         step: of the frame, with its smoothed camera.
-        painted: the field's paint.
-        frame: the picture.
         reach_px: how far off they are looked for, solver px.
     """
     wide = step.belief.information / _FREE_AGAIN

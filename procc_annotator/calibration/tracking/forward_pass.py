@@ -70,14 +70,10 @@ def track_run(
     """Follow a camera from frame to frame.
 
     Args:
-        frame: number -> picture.
         numbers: consecutive ones, ascending or descending; of the first the camera is known.
         start: what is believed of that.
-        painted: the field's paint.
-        picture_frame: the pictures.
         on_step: called for every frame as it is followed.
         go_on: called between frames; what it raises ends it.
-        stand: what the camera stands on.
     """
     done, steps = list[int](), list[FilterStep]()
     last: deque[FilterStep] = deque(maxlen=2)
@@ -164,12 +160,7 @@ class FrameChain:
 
 def build_chain(runs: Sequence[TrackedRun], given: Mapping[int, GaussianState]) -> FrameChain:
     """The chain of frames that were followed, in either direction, from frames they share or up to
-    frames next to each other.
-
-    Args:
-        runs: what was followed.
-        given: number -> what is believed of its camera, of frames that were given one.
-    """
+    frames next to each other; ``given``: number -> state of the frames that were given a camera."""
     steps: dict[int, FilterStep] = {}
     turns: dict[int, InterFrameMotion | None] = {}
     for run in runs:

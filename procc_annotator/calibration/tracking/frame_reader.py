@@ -35,7 +35,6 @@ class DecodedFrame:
     """A frame as it is given out.
 
     Attributes:
-        number: of the frame.
         picture: (H, W, 4) BGRA.
         small: the picture much reduced; nothing of it if it is not to be followed.
         begins: whether it comes from another camera than the one given out before it.
@@ -127,7 +126,6 @@ def shot_range_around(
 
     Args:
         frame: number -> (H, W, 4) BGRA.
-        number: one of the numbers.
         numbers: all there are, ascending.
         go_on: called at least once a frame; what it raises ends everything.
     """

@@ -48,12 +48,7 @@ _BACKGROUND_DISTANCE_M = 1000.0
 
 @dataclass(frozen=True, eq=False)
 class InterFrameMotion:
-    """Turn and zoom of a camera.
-
-    Attributes:
-        step: (4,) change of the parameters `OWN`.
-        covariance: (4, 4) of it.
-    """
+    """Turn and zoom of a camera: (4,) change of the parameters `OWN`, and its (4, 4) covariance."""
 
     step: FloatArray
     covariance: FloatArray
@@ -65,12 +60,8 @@ class InterFrameMotion:
 
 @dataclass(frozen=True, eq=False)
 class MotionImage:
-    """Data of a picture.
-
-    Attributes:
-        grey: (h, `WIDTH`) the picture much reduced.
-        corners: (n, 2) px of it, what can be followed.
-    """
+    """A picture much reduced, (h, `WIDTH`) grey, and the corners (n, 2), px of it, that can be
+    followed."""
 
     grey: PixelArray
     corners: NDArray[np.float32]
@@ -99,10 +90,8 @@ def estimate_inter_frame_motion(
     """Return how the camera moved from one frame to the next.
 
     Args:
-        before, now: both frames.
         vector: (11,) of the camera before.
         expected: (4,) change of `OWN` that is likely, as in the step before.
-        frame: the picture.
 
     Returns:
         None where too few corners agree on a motion.
@@ -267,7 +256,6 @@ class MotionConstraints:
     Attributes:
         step: (K - 1, 4) change of the parameters `OWN`.
         stiffness: (K - 1, 4, 4) how surely: inverse covariances.
-        stand: what the camera stands on.
     """
 
     step: FloatArray

@@ -85,14 +85,9 @@ _MAX_MAHALANOBIS, _MAX_DISTANCE_M = 3.5, 5.0
 def is_at_known_position(
     fit: FitResult | None, coverages: Sequence[float], places: Sequence[KnownPosition]
 ) -> bool:
-    """Return whether what all frames of a shot show of their camera is a place that is known, and
-    its lines are on their paint.
-
-    Args:
-        fit: of one of its frames, solved with all the others.
-        coverages: of its frames, 0 to 1.
-        places: that are known.
-    """
+    """Return whether what all frames of a shot show of their camera (the fit of one of them, solved
+    with all the others) is a place that is known, and its lines are on their paint (coverages, 0 to
+    1)."""
     if fit is None or fit.vector is None or fit.covariance is None:
         return False
     if np.mean(coverages) < MIN_COVERAGE:
@@ -341,11 +336,8 @@ class _ShotTracker:
         stand: ProcessNoise = TRIPOD_NOISE,
         watch: Callable[[int, FilterStep], None] = lambda _, __: None,
     ) -> TrackedRun:
-        """Follow frames from the first of them, whose camera was given.
-
-        Args:
-            watch: shown every frame; what it raises ends it.
-        """
+        """Follow frames from the first of them, whose camera was given; what ``watch`` raises ends
+        it."""
         begin, places = numbers[0], np.array(list(given))
 
         def on_step(number: int, step: FilterStep) -> None:
@@ -403,8 +395,11 @@ class _ShotTracker:
             own = replace(step, belief=given[number]) if number in left else step
             one = self._tracked(number, own, abs(nearest - number))
             if not one.reason and nearest in missed:
-                px = missed[nearest] / self.picture.scale
-                one = replace(one, reason=_missed_anchor_text(px))
+                missed_anchor = translatable(
+                    "the track is {px:.0f} px off the nearest frame whose camera was known",
+                    px=missed[nearest] / self.picture.scale,
+                )
+                one = replace(one, reason=missed_anchor)
             if not one.reason and (off := self._unexplained(number, own, looked)):
                 one = replace(one, reason=displaced_elements_text(off, self.painted, self.picture))
             if not one.reason and one.coverage < MIN_COVERAGE:
@@ -458,12 +453,9 @@ class _ShotTracker:
     def _unexplained(
         self, number: int, step: FilterStep, looked: dict[int, tuple[int, float]]
     ) -> dict[int, float]:
-        """Return the elements that a frame's camera misses and whose line lies elsewhere: solver
-        px by which. The whole picture is examined once in `_LOOKED_FRAMES` only.
-
-        Args:
-            looked: element -> frame at which it was looked for, and what came of it; 0 if nothing.
-        """
+        """Return the elements that a frame's camera misses and whose line lies elsewhere: solver px
+        by which. The whole picture is examined once in `_LOOKED_FRAMES` only; ``looked`` keeps at
+        which frame it was for each element, and the result, 0 if nothing."""
         missed = step.missed(self.painted, self.picture)
         now = [
             own
@@ -617,12 +609,6 @@ class _ShotTracker:
     def _lose(self, number: int, reason: str) -> None:
         self.found[number] = TrackedFrame(number, "lost", reason, None, 0.0, None, None)
         self.on_frame(self.found[number])
-
-
-def _missed_anchor_text(px: float) -> str:
-    return translatable(
-        "the track is {px:.0f} px off the nearest frame whose camera was known", px=px
-    )
 
 
 def _states_of_frames(chain: FrameChain, numbers: Iterable[int]) -> dict[int, GaussianState]:

@@ -347,13 +347,9 @@ def _element_offset_effect(
     frame: ImageFrame,
     stand: ProcessNoise,
 ) -> tuple[float, FloatArray]:
-    """Return what it does to the cameras that elements lie next to the model, each all along the
-    chain by as much as elements of single frames do: more frames do not average that out.
-
-    Returns:
-        Solver px by which they do, root mean square, and (K, 8, 8) the covariance of the cameras
-        when it is 1 px.
-    """
+    """Return by how many solver px, root mean square, elements lie next to the model, each all
+    along the chain by as much as elements of single frames do (more frames do not average that
+    out), and (K, 8, 8) the covariance of the cameras when it is 1 px."""
     own, shared, count = stand.own, stand.shared, len(vectors)
     spread = np.zeros((count, PARAMETERS_FREE, PARAMETERS_FREE))
     squares = counted = 0.0

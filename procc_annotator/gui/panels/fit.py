@@ -65,12 +65,8 @@ _HEADER_TIPS = (
 
 
 class FitRow(NamedTuple):
-    """One element.
-
-    Attributes:
-        point: position of the worst point in the polyline; None if unknown.
-        left_out: whether the fit took it for a mistake.
-    """
+    """One element; ``point``: place of the worst point in the polyline, None if unknown;
+    ``left_out``: whether the fit took it for a mistake."""
 
     class_name: str
     title: str

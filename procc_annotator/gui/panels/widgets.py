@@ -268,7 +268,6 @@ def vbox(
 
     Args:
         parts: widgets and layouts, each alone or with its stretch; None: a space (stretch 1).
-        of: the widget that the layout is for.
         spacing, margins: px between the parts and around them; None: those of the style.
     """
     box = _fill(QVBoxLayout(), parts, spacing, margins)
@@ -455,12 +454,8 @@ def choice(
     items: Iterable[tuple[str, object]] = (),
     chosen: Callable[[Any], object] | None = None,
 ) -> QComboBox:
-    """Make a list to choose from, as narrow as its panel.
-
-    Args:
-        title: read out where no label is.
-        chosen: receives the value that the user chooses.
-    """
+    """Make a list to choose from, as narrow as its panel; the title is read out where no label is,
+    ``chosen`` receives the value that the user chooses."""
     combo = named(QComboBox(), name, tip=tip, title=title)
     for text, value in items:
         combo.addItem(text, value)

@@ -16,7 +16,6 @@ class Events(QObject):
         framesEdited: annotations of frames (a list of indices) that need not be on screen.
         frameScoresChanged: JaC of one frame, or of all of them ("").
         sourceAuditsChanged: more is known of the scores of a source in the frames of the dataset.
-        message: a `Message` to the user.
     """
 
     aboutToLeave = Signal()

@@ -390,11 +390,8 @@ class Landmarks(QObject):
 
 
 class LandmarkTriangulation(QObject):
-    """Finds the position of a landmark from its clicks, in the background.
-
-    Attributes:
-        working: name of the landmark that is being triangulated; empty for none.
-    """
+    """Finds the position of a landmark from its clicks, in the background; ``working`` is its name,
+    empty for none."""
 
     def __init__(self, store: Store, live_fit: LiveFit, landmarks: Landmarks) -> None:
         super().__init__(store)

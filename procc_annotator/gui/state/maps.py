@@ -57,7 +57,6 @@ class MapShapes:
 
     Attributes:
         look: what they are painted with.
-        bands: between each two levels.
         lines: (N, 4) of each of the look's lines, segment by segment.
         area: as far as the map reaches; None where its shapes end there by themselves.
     """
@@ -83,17 +82,6 @@ def map_shapes(
         tuple(segments(contour_lines(values, x, y, line.metres)) for line in look.lines),
         None if area is None else _path(area),
     )
-
-
-def shapes_in_picture(found: Disagreement) -> MapShapes:
-    """The shapes of a disagreement in px of the evaluation size."""
-    return map_shapes(DISAGREEMENT, found.metres, found.xs_px, found.ys_px)
-
-
-def shapes_on_field(found: Disagreement) -> MapShapes:
-    """Its shapes in metres of the field, where the first camera sees the ground."""
-    ground = found.ground_a
-    return map_shapes(DISAGREEMENT, found.metres, ground[..., 0], ground[..., 1])
 
 
 def segments(lines: Iterable[FloatArray]) -> FloatArray:
@@ -210,7 +198,13 @@ def compare_cameras(
     them shares only projections."""
     values = disagreement(a, b, field, size)
     _ = values.statistics  # kept with the values; worked out here, not where it is shown
-    return Compared(names, values, shapes_in_picture(values), shapes_on_field(values))
+    ground = values.ground_a
+    return Compared(
+        names,
+        values,
+        map_shapes(DISAGREEMENT, values.metres, values.xs_px, values.ys_px),
+        map_shapes(DISAGREEMENT, values.metres, ground[..., 0], ground[..., 1]),
+    )
 
 
 _KEPT = 8
@@ -222,9 +216,6 @@ class VisibleFieldRegion(QObject):
     While the next one is worked out the sight before stays, so that the map does not flicker with
     every click. A frame without a camera has nothing in sight; its map stays turned as it was, for
     cameras of one set stand on one side. In blind mode nothing of it is reported.
-
-    Attributes:
-        wanted: whether the map follows the camera.
     """
 
     changed = Signal()
@@ -330,13 +321,8 @@ _TOP_VIEW_PX_PER_M = 8.0  # a field map on a large screen
 
 @dataclass(frozen=True, eq=False)
 class GroundAccuracy:
-    """The uncertainty of ground points by one fit.
-
-    Attributes:
-        values: the map and its figures.
-        picture: its shapes, px of the fit's picture.
-        field: its shapes, metres on the ground.
-    """
+    """The uncertainty of ground points by one fit, and its shapes in px of the fit's picture and in
+    metres on the ground."""
 
     values: GroundUncertainty
     picture: MapShapes

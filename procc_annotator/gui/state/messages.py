@@ -11,12 +11,8 @@ from procc_annotator.gui.state.store import Store
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Message:
-    """A line to the user, shown once.
-
-    Attributes:
-        key: of the notice that it is; empty for one that nothing withdraws.
-        remedy: the action that may help: it asks for another place, or tries again.
-    """
+    """A line to the user, shown once; ``key``: of the notice that it is, empty for one that nothing
+    withdraws; ``remedy``: the action that may help: it asks for another place, or tries again."""
 
     text: str
     level: Level

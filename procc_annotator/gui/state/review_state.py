@@ -361,11 +361,8 @@ class ReviewState(QObject):
 
 
 class BlindLock(QObject):
-    """Forces blind mode on while the dataset on screen is locked to it.
-
-    Attributes:
-        wanted: the annotator's own choice, which counts where there is no lock.
-    """
+    """Forces blind mode on while the dataset on screen is locked to it; else the annotator's own
+    choice, ``wanted``, counts."""
 
     refused = Signal()  # leaving blind mode was refused: switches show the present state again
 

@@ -28,12 +28,8 @@ _Read = tuple[FileSource, AnnotationFiles]
 
 
 class SecondAnnotator(QObject):
-    """Annotations of a second annotator in the same frames.
-
-    Attributes:
-        annotation: theirs of the frame on screen; None if absent, or none to be read.
-        error: why the frame's file could not be read; empty where it could, or if absent.
-    """
+    """Annotations of a second annotator in the same frames: that of the frame on screen, None if
+    absent, and the ``error`` if its file could not be read."""
 
     changed = Signal()
     opened = Signal(Path)  # what was asked for is read: another one, or by another field

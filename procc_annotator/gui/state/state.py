@@ -42,13 +42,7 @@ _EMPTY = FrameAnnotation()
 
 @dataclass(frozen=True, slots=True)
 class Notice:
-    """A line that is so until it is withdrawn.
-
-    Attributes:
-        key: what it is about; there is one notice a key.
-        level: how much it matters.
-        text: one line.
-    """
+    """A line of text that is so until it is withdrawn; there is one notice a key."""
 
     key: str
     level: Level
@@ -60,7 +54,6 @@ class ChosenElement:
     """The element to draw and to look at, and its points that are chosen.
 
     Attributes:
-        class_name: the element's class.
         point: the one point, or the first of several.
         points: those that are chosen together; empty for one or none.
         last_finished: the element finished on this frame before the next one was offered.

@@ -43,11 +43,8 @@ class BootstrapSettings:
 
 @dataclass(frozen=True, eq=False)
 class RatioMetrics:
-    """K figures over F frames, each a sum of parts over a sum of wholes.
-
-    Attributes:
-        parts, denominators: (F, K); a frame that does not count for a figure has 0 in both.
-    """
+    """K figures over F frames, each a sum of parts over a sum of denominators, both (F, K); a frame
+    that does not count for a figure has 0 in both."""
 
     parts: FloatArray
     denominators: FloatArray
@@ -152,7 +149,6 @@ def bootstrap(
     """Draw sets of as many clusters, with replacement.
 
     Args:
-        ratios: K figures over F frames.
         clusters: (F,) number of each frame's cluster, from 0 on; where every frame is drawn for
             itself, a number for each.
         draws: None to draw nothing: the deviation and an interval ``t`` need no more.
@@ -285,12 +281,8 @@ def confidence_intervals(
     *,
     expanded: bool = True,
 ) -> list[Interval | None]:
-    """One interval a figure; None where fewer than two clusters count.
-
-    Args:
-        expanded: whether ``percentile`` and ``bca`` look farther out for few clusters; without,
-            they are what the textbooks call so.
-    """
+    """One interval a figure; None where fewer than two clusters count. ``expanded``: ``percentile``
+    and ``bca`` look farther out for few clusters than the textbooks say."""
     deviations = sampled.deviation
     found: list[Interval | None] = []
     for k, value in enumerate(sampled.values):

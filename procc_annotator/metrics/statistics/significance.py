@@ -74,7 +74,6 @@ def paired_differences(
         a, b: K figures of both sources; frames that only one has must count for neither.
         sampled: the same, drawn together.
         clusters: (F,) as for `sample`.
-        method: of the intervals.
     """
     off = sampled[0].minus(sampled[1])
     deviations, ends = off.deviation, confidence_intervals(off, draws, method)
@@ -189,12 +188,8 @@ def _random_sign_flips(clusters: int, draws: BootstrapSettings) -> Iterator[Floa
 def significant_ranks(
     count: int, differences: Mapping[tuple[int, int], PairedDifference], better: int
 ) -> list[int]:
-    """The place of each source: one more than those that are better beyond chance.
-
-    Args:
-        differences: (a, b) -> what a has more than b.
-        better: +1 where more is better, -1 where less is.
-    """
+    """The place of each source: one more than those that are significantly better, by the
+    differences (a, b) -> a − b. ``better``: +1 where more is better, -1 where less is."""
     beaten = [0] * count
     for (a, b), found in differences.items():
         if found.beyond_chance and found.value is not None:

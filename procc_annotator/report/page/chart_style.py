@@ -79,9 +79,7 @@ class Panel:
     """A panel of a chart: a picture of its own, so that a narrow page stacks them.
 
     Attributes:
-        draw: draws on the axes.
         title: above them; empty for none. height_in, left_in: of the panel and its left margin.
-        polar: whether the axes are polar.
     """
 
     draw: Callable[[Any], None]

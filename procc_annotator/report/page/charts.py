@@ -53,17 +53,14 @@ _ONE_FRAME, _SMALLEST_MARK, _LARGEST_MARK = 6.0, 2.0, 120.0  # areas, points squ
 
 
 def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
-    """All charts that the report has numbers for.
-
-    Args:
-        report: gathered.
-        colours: of the methods, in order, repeated when there are more methods.
-    """
+    """All charts that the report has numbers for; methods have the colours in order, repeated when
+    there are more methods."""
     charted = charted_sources(report, colours)
     if not charted:
         return []
     curves = [_curves(report, charted)]
-    if tested := [p for p in report.certainty.pairs if _is_tested(report, p)]:
+    methods = set(report.certainty.methods)
+    if tested := [p for p in report.certainty.pairs if {p.a, p.b} <= methods]:
         curves.append(_differences(report, tested, colours))
     frames = [_timelines(report, charted)] if len(report.frames) <= _MOST_IN_A_ROW else []
     frames += frame_charts(report, charted)
@@ -74,10 +71,6 @@ def draw_charts(report: AuditReport, colours: Sequence[str]) -> list[Chart]:
     errors = error_charts(report, charted) if any_errors else []
     parts = (("curves", curves), ("errors", errors), ("frames", frames))
     return [replace(chart, part=part) for part, found in parts for chart in found]
-
-
-def _is_tested(report: AuditReport, pair: MethodPair) -> bool:
-    return {pair.a, pair.b} <= set(report.certainty.methods)
 
 
 def _curves(report: AuditReport, charted: list[ChartedMethod]) -> Chart:
@@ -312,12 +305,7 @@ def _stretches(values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, 
 
 
 def jitter_chart(found: Sequence[TemporalMetrics], colours: Sequence[str]) -> Chart:
-    """Jitter of every frame, a panel a method; shots one after the other.
-
-    Args:
-        found: at least one method.
-        colours: of the methods, in order.
-    """
+    """Jitter of every frame, a panel a method (one at least); shots one after the other."""
     values = [np.concatenate([shot.steady.px for shot in one.shots]) for one in found]
     jumps = [np.concatenate([shot.broken.unsteady for shot in one.shots]) for one in found]
     steady = [v[np.isfinite(v) & ~jump] for v, jump in zip(values, jumps, strict=True)]

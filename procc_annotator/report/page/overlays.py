@@ -39,7 +39,6 @@ class OverlayPicture:
     """An overlay picture with its words.
 
     Attributes:
-        source, frame: what it shows.
         picture: JPEG; empty where the frame has no camera.
         figures: JaC and error, with what they depend on.
         sentences: what lowers the score, the worst first.

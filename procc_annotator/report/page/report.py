@@ -69,7 +69,6 @@ class ReportRequest:
     """Request for a report.
 
     Attributes:
-        title, date: at its head.
         worst: frames a source to draw; lot: frames to draw at random, with ``seed``.
         disagreement: pairs of sources; pictures: how many of each.
         reference: the source that the metrics of earlier papers take as true; empty for none.
@@ -91,13 +90,8 @@ class ReportRequest:
 
 @dataclass(frozen=True)
 class ReportPainters:
-    """Painters and colours of a page.
-
-    Attributes:
-        overlays: paint one frame under one source.
-        pairs: paint the disagreement of two sources; None leaves these pictures out.
-        colours: of the sources in charts.
-    """
+    """Painters of one frame under one source and of the disagreement of two (None leaves these
+    pictures out), and colours of a page."""
 
     overlays: Callable[[Scene], bytes]
     pairs: Callable[[ComparisonScene], bytes] | None
@@ -109,7 +103,6 @@ class ReportInputs:
     """Inputs of figures and pictures.
 
     Attributes:
-        annotations: the source of annotation files.
         cameras: of the report's sources, in their order.
         pictures: frame -> picture.
         over_time: the sources over their shots; none unless that was asked.

@@ -58,7 +58,6 @@ class ReportedFrame:
     """Report entry of one annotated frame under one source.
 
     Attributes:
-        name: the frame.
         figures: by threshold; empty where there is no score.
         audit: for the charts; None where there is no score.
         error: why annotation or camera could not be read.
@@ -143,9 +142,7 @@ class AuditReport:
 
     Attributes:
         dataset: the name of its folder, no path.
-        setup: field, size, protocol.
         thresholds: px; the first decides colours, the worst frames and the final score.
-        sources: in the order given.
         chance: how it is asked what is beyond chance.
     """
 
@@ -219,7 +216,7 @@ class AuditReport:
 
 
 # Of frames, compared frames and pictures alike.
-Progress = Callable[[Iterable[Any], int, str], Iterator[Any]]
+Progress = Callable[[Iterable[Any], int, str], Iterator[Any]]  # items, number, a word
 
 
 @dataclass(frozen=True, slots=True)

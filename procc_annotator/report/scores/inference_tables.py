@@ -276,11 +276,8 @@ def interval_ends(interval: Interval | None) -> tuple[float | None, float | None
 def strata_table(
     parts: Sequence[Stratum], certainty: Inference, tau: float, described: str
 ) -> MetricTable:
-    """JaC of every source and the difference of every two, with intervals, for each part.
-
-    Args:
-        parts: at least one. certainty: of the whole set. tau: px, one of its thresholds.
-    """
+    """JaC of every source and the difference of every two, with intervals, for each part (one at
+    least), at a threshold of the whole set, px."""
     by, ordered = parts[0].by, _most_different_first(parts, tau)
     rows: list[tuple[Value, ...]] = []
     bold: set[tuple[int, int]] = set()

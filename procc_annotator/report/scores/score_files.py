@@ -92,12 +92,8 @@ _COLUMNS = (
 
 
 def csv_columns(names: Iterable[str] = (), by: Iterable[str] = ()) -> tuple[Column, ...]:
-    """The columns of a file of scores.
-
-    Args:
-        names: columns that come first, e.g. set and method.
-        by: what the set is grouped by; columns that come last.
-    """
+    """The columns of a file of scores: first names, e.g. set and method, last what the set is
+    grouped by."""
     return (*map(Column, names), *_COLUMNS, *(Column(f"by_{name}") for name in by))
 
 
@@ -107,11 +103,8 @@ def csv_fragment(
     thresholds: tuple[float, ...],
     names: Sequence[str] = (),
 ) -> bytes:
-    """One row a threshold; figures of a frame without scores are empty.
-
-    Args:
-        names: of set and method, where several evaluations share a file; they come first.
-    """
+    """One row a threshold; figures of a frame without scores are empty. The names of set and method
+    come first, where several evaluations share a file."""
     columns = csv_columns(names, map(str, range(len(result.groups))))
     return csv_rows(
         columns, ((*names, *_row(result, setup, tau), *result.groups) for tau in thresholds)
@@ -138,12 +131,8 @@ def _row(result: FrameResult, setup: EvaluationSetup, threshold: float) -> Row:
 
 
 class CsvScores:
-    """A header, then one row an image and threshold.
-
-    Args:
-        names, by: as of `csv_columns`.
-        headless: without the header, after another evaluation.
-    """
+    """A header, none if ``headless`` (after another evaluation), then one row an image and
+    threshold, with the columns of `csv_columns`."""
 
     def __init__(
         self,
@@ -173,11 +162,8 @@ SCORE_SUFFIXES = (".json", ".csv")
 
 
 def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
-    """One entry of ``images``. Undefined figures are null; NaN never reaches a file.
-
-    Args:
-        by: what the set is grouped by; the frame's values then follow as ``groups``.
-    """
+    """One entry of ``images``, with the values that the set is grouped ``by`` as ``groups``.
+    Undefined figures are null; NaN never reaches a file."""
     known: dict[int, _Elements] = {}  # by labelling, of which a frame has two at most
     entries = {}
     for threshold, score in result.scores.items():
@@ -199,11 +185,7 @@ def json_fragment(result: FrameResult, by: Sequence[str] = ()) -> bytes:
 
 
 def frame_entry(score: Any) -> dict[str, Any]:
-    """A frame's figures at one threshold.
-
-    Args:
-        score: a `FrameScore`, or whatever has its figures.
-    """
+    """The figures of a `FrameScore`, or of whatever has them."""
     counts = metric_entry((*COUNTS, metrics.JAC), score)
     mirrored = {"mirrored": score.mirrored}
     return counts | mirrored | metric_entry(metrics.OF_FRAME, score)

@@ -89,11 +89,7 @@ class WorstFrames:
 
 
 def tie_notes(several: Mapping[str, Mapping[float, SetSummary]]) -> tuple[str, ...]:
-    """A sentence on frames in which mirrored labels count on a tie; nothing without any.
-
-    Args:
-        several: method -> its figures by threshold.
-    """
+    """A sentence on frames in which mirrored labels count on a tie; nothing without any."""
     ties = [
         " ".join(filter(None, (name, f"{summary.tied} at {tau:g} px")))
         for name, summaries in several.items()
@@ -171,12 +167,8 @@ def classes_table(summaries: Mapping[float, SetSummary], described: str) -> Metr
 
 @dataclass(frozen=True)
 class EvaluationRow:
-    """One evaluation, or a part of its frames, in a table of several.
-
-    Attributes:
-        names: what distinguishes it from the others, one a heading.
-        described: what its figures were computed with.
-    """
+    """One evaluation, or a part of its frames, in a table of several: the names that distinguish
+    it, one a heading, and what its figures were computed with."""
 
     names: tuple[str, ...]
     described: str
@@ -246,12 +238,9 @@ def left_out_table(
     thresholds: Sequence[float],
     setup: EvaluationSetup,
 ) -> MetricTable | None:
-    """The fits among the sources, each with the share of elements that are correct left out, and in
-    sample; of fits without such figures only the notes say how to get them. None without fits.
-
-    Args:
-        sources: with their names. thresholds: px. setup: of them all.
-    """
+    """The fits among the sources, by name, each with the share of elements that are correct left
+    out, and in sample, at thresholds (px); of fits without such figures only the notes say how to
+    get them. None without fits."""
     fits = [(name, source) for name, source in sources if source.fitted.marked]
     if not fits:
         return None

@@ -89,7 +89,7 @@ class Scored:
 
 
 Step = tuple["_Scoring", EncodedFrame]
-Progress = Callable[[Iterable[Step], int, str], Iterator[Step]]
+Progress = Callable[[Iterable[Step], int, str], Iterator[Step]]  # items, number, a word
 
 
 def encode_frame(
@@ -120,7 +120,6 @@ class Evaluations:
     """Several evaluations; all frames are listed before any work.
 
     Args:
-        requests: one after the other.
         thresholds: px.
         outputs: ``.json`` and ``.csv`` files; each appears when it is complete.
         named: whether these name set and method of every evaluation; they have to for several.
@@ -170,7 +169,6 @@ class Evaluations:
         """Do the work.
 
         Args:
-            progress: wraps the frames as they come, given their number and a word for the work.
             unwritten: takes the failures of outputs, so that no metrics are lost with them.
 
         Raises:

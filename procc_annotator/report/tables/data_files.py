@@ -1,4 +1,4 @@
-"""Tables as CSV, JSON and LaTeX, and reading CSV cells back."""
+"""Tables as CSV, JSON and LaTeX."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from typing import Any
 
 import msgspec
 
-from procc_annotator.formats.csv_tables import encode_rows, escape_formula, unescape_formula
+from procc_annotator.formats.csv_tables import encode_rows, escape_formula
 from procc_annotator.report.tables.table import (
     Cell,
     Column,
@@ -60,39 +60,6 @@ def _written(value: Value, form: str) -> str | int | float:
     if form == "shortest":
         return shortest_number(value)
     return f"{value:{form}}" if form else value
-
-
-_YES_NO = {"true": True, "false": False}
-_EXPECTED = {
-    "whole": "a whole number",
-    "number": "a number",
-    "yes_no": "true or false",
-    "text": "some text",
-}
-
-
-def value_of(column: Column, cell: str) -> Value:
-    """The value of a cell; None for an empty one.
-
-    Raises:
-        ValueError: the column holds no such values; says what was expected.
-    """
-    if not cell and not column.required:
-        return None
-    try:
-        if column.kind == "number":
-            value = float(cell)
-            if math.isfinite(value):
-                return value
-        elif column.kind == "whole":
-            return int(cell)
-        elif column.kind == "yes_no":
-            return _YES_NO[cell]
-        elif cell:
-            return unescape_formula(cell)
-    except (ValueError, KeyError):
-        pass
-    raise ValueError(f"{column.key} is {cell[:40]!r}, expected {_EXPECTED[column.kind]}")
 
 
 def metric_entry(figures: Iterable[Metric], values: object) -> dict[str, Any]:

@@ -84,7 +84,7 @@ class Column:
     Attributes:
         key: in files.
         heading: for people.
-        kind: of its values, all of which may be None unless ``required``.
+        kind: of its values, all of which may be None.
         figure: None for text and for numbers of no further meaning.
         group: a heading above several columns, e.g. a source.
         joined: how its text follows that of the column before it in one cell, ``{}`` being the
@@ -92,7 +92,6 @@ class Column:
         written: how its numbers are written in CSV, e.g. ``.2f``, or ``shortest`` for 5 instead of
             5.0; otherwise with as many digits as it takes to read back the same value. People see
             them so, too, where it is no figure that has digits of its own.
-        required: never None.
     """
 
     key: str
@@ -102,7 +101,6 @@ class Column:
     group: str = ""
     joined: str = ""
     written: str = ""
-    required: bool = False
 
     @property
     def numeric(self) -> bool:
@@ -120,12 +118,8 @@ class Column:
         return self.figure.definition if self.figure else ""
 
     def text(self, value: Value, of_row: Metric | None = None) -> str:
-        """A value as it is shown: figures by their digits, True as ``yes``, None as a dash; of text
-        None is empty.
-
-        Args:
-            of_row: the figure that the row is about, where the column is not.
-        """
+        """A value as it is shown: figures by their digits (those of the row where the column is
+        about none), True as ``yes``, None as a dash; of text None is empty."""
         figure = self.figure or of_row
         if isinstance(value, bool):
             return "yes" if value else ""
@@ -164,11 +158,7 @@ def count_column(key: str, heading: str = "", *, group: str = "", joined: str = 
 def defined_count_column(
     figure: Metric, at: str = "", *, key: str = "", heading: str = "", group: str = ""
 ) -> Column:
-    """A count that has a definition as a column.
-
-    Args:
-        at, key, heading, group: as of `of`.
-    """
+    """A count that has a definition as a column; arguments as of `metric_column`."""
     return Column(key or figure.key, heading or f"{figure.title}{at}", "whole", figure, group)
 
 
@@ -284,12 +274,8 @@ Definition = tuple[str, tuple[str, ...]]
 def definitions(
     sheets: Iterable[MetricTable], also: Iterable[Metric] = ()
 ) -> tuple[Definition, ...]:
-    """Each title with its unit, and what it means: several things where several are called so.
-
-    Args:
-        sheets: whose columns are explained, in their order.
-        also: further figures, which come first.
-    """
+    """Each title of further figures and of the columns of tables, in this order, with its unit, and
+    what it means: several things where several are called so."""
     found: dict[str, dict[str, None]] = {}
     columns = [column.figure for sheet in sheets for column in sheet.columns]
     rows = [figure for sheet in sheets for figure in sheet.of_rows]

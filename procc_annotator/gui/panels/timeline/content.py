@@ -31,7 +31,6 @@ class Axis:
     A frame takes the room from its number to the next one.
 
     Attributes:
-        first, last: numbers there are.
         width: px.
         begin, end: numbers at both ends of the width, the end beyond its frame.
     """

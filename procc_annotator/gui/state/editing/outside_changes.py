@@ -82,11 +82,7 @@ class _Newer:
 
 
 class OutsideChanges(QObject):
-    """Looks at the files of the set on request, and watches that of the frame on screen.
-
-    Attributes:
-        watch: of the annotation file of the frame on screen.
-    """
+    """Looks at the files of the set on request, and watches that of the frame on screen."""
 
     def __init__(
         self,

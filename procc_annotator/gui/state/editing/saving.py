@@ -23,11 +23,7 @@ _LOOK_MS = 2_000
 
 
 class FrameLock(QObject):
-    """The lock of the frame on screen. It is taken by the first gesture, not by looking.
-
-    Attributes:
-        owned: whether this window has taken the frame on screen.
-    """
+    """The lock of the frame on screen. It is taken by the first gesture, not by looking."""
 
     freed = Signal()  # the frame on screen may be edited again; its file may be newer
 

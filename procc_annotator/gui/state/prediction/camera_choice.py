@@ -45,12 +45,9 @@ class Proposals(QObject):
     """Looks at the frame on screen if nothing is annotated there, then at those next to it.
 
     The answer is that of the picture alone, it does not depend on what was opened before; except
-    how wide the pixels of the dataset are, which become part of its field and are kept.
-    Nothing of it is ever saved: what a person accepts is an edit like any other. In blind mode, and
-    in a dataset locked to it, nothing is looked for.
-
-    Attributes:
-        wanted: whether the user wants cameras to be proposed.
+    how wide the pixels of the dataset are, which become part of its field and are kept. Nothing of
+    it is ever saved: what a person accepts is an edit like any other. In blind mode, and in a
+    dataset locked to it, nothing is looked for.
     """
 
     changed = Signal()  # what is known of the frame on screen, or that it is looked for

@@ -37,11 +37,8 @@ ReadAnnotation = Callable[[], FrameAnnotation | None]
 
 
 class FrameScores(Mapping[str, float]):
-    """Frame name -> JaC at one threshold; a view, built without copying.
-
-    Attributes:
-        allowed: which frames may be shown; None: all.
-    """
+    """Frame name -> JaC at one threshold, of the frames that may be shown (``allowed``; None: all);
+    a view, built without copying."""
 
     def __init__(
         self,
