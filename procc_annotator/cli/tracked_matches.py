@@ -238,9 +238,8 @@ class TrackedMatches:
 def unit_words(unit: Unit) -> str:
     """How a unit is called: its match, kind of work, and numbers of frames."""
     numbers = _NUMBERS.search(unit.key)
-    return f"{unit.match}: {unit.kind}" + (
-        f" {numbers[1]} to {int(numbers[2]) - 1}" if numbers else ""
-    )
+    frames = f" of frames {numbers[1]} to {int(numbers[2]) - 1}" if numbers else ""
+    return f"{unit.match}: {unit.kind}{frames}"
 
 
 def evidence_of(result: Any) -> tuple[float | None, int]:

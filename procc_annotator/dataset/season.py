@@ -16,6 +16,7 @@ from procc_annotator.dataset.remote_files import file_name, local_path, url_of
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.csv_tables import read_table
 from procc_annotator.formats.file_source import suffix_of, walk
+from procc_annotator.formats.frame_names import is_file_name
 from procc_annotator.image.archive import ARCHIVE_SUFFIXES
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 
@@ -61,8 +62,8 @@ def kinds_met_first(path: Path) -> frozenset[str]:
 
 
 def list_matches(path: Path) -> tuple[Match, ...] | None:
-    """The matches of a season; None for a single one: a video, a folder of `FEWEST_PICTURES` or
-    more, or of folders of pictures alone.
+    """The matches of a season; None for a single one: a video, a folder of pictures, with fewer
+    videos beside them, or of folders of pictures alone.
 
     Args:
         path: folder in which videos, archives and folders of pictures lie, at any depth, or a
@@ -98,7 +99,7 @@ def _in_tree(root: Path) -> tuple[Match, ...] | None:
                 found.append(Path(folder, name))
             elif suffix in PICTURE_SUFFIXES:
                 pictures[Path(folder)] += 1
-    if not found or pictures[root] >= FEWEST_PICTURES:
+    if not found or pictures[root] >= max(sum(place.parent == root for place in found), 1):
         return None
     kept = set(map(frames_folder, found))
     found += [place for place, n in pictures.items() if n >= FEWEST_PICTURES and place not in kept]
@@ -126,8 +127,9 @@ def _in_list(path: Path, folder: Path) -> Iterator[Match]:
         if (before := lines.get(name.casefold())) is not None:
             why = f"is the second match called {name!r}, beside line {before}"
             raise InputError(path, why, place=place, advice="give them different names (match)")
-        if not all(parts) or {".", ".."} & set(parts):
-            raise InputError(path, f"match {name!r} is no name of a file", place=place)
+        if not all(map(is_file_name, parts)):
+            why = f"match {name!r} is no name of a file on every system"
+            raise InputError(path, why, place=place)
         lines[name.casefold()] = line
         yield Match(name, video, cells["stadium"], cells["field"], cells["start"])
     if not lines:

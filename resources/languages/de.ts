@@ -2869,6 +2869,11 @@ Verliert {loses}.</translation>
    <translation>fertig</translation>
   </message>
   <message>
+   <source>failed</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>fehlgeschlagen</translation>
+  </message>
+  <message>
    <source>Match</source>
    <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
    <translation>Spiel</translation>

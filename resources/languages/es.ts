@@ -2869,6 +2869,11 @@ Pierde {loses}.</translation>
    <translation>terminado</translation>
   </message>
   <message>
+   <source>failed</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>fallido</translation>
+  </message>
+  <message>
    <source>Match</source>
    <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
    <translation>Partido</translation>

@@ -2869,6 +2869,11 @@ Perd {loses}.</translation>
    <translation>terminé</translation>
   </message>
   <message>
+   <source>failed</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>échoué</translation>
+  </message>
+  <message>
    <source>Match</source>
    <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
    <translation>Match</translation>

@@ -2818,6 +2818,11 @@ Loses {loses}.</source>
    <translation>完成</translation>
   </message>
   <message>
+   <source>failed</source>
+   <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
+   <translation>失败</translation>
+  </message>
+  <message>
    <source>Match</source>
    <extracomment>[procc_annotator/gui/commands/season.py]</extracomment>
    <translation>比赛</translation>

@@ -8,7 +8,6 @@ import pytest
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import Proposal
 from procc_annotator.calibration.tracking import shot_tracker
-from procc_annotator.cli import track
 from procc_annotator.field.load import load_field
 
 FORMATS = ("labelme", "cvat", "coco", "soccernet-v3", "soccernet-gsr")
@@ -326,7 +325,6 @@ def test_anchors_of_a_track_are_fitted_by_the_map(cli, dataset, renamed, monkeyp
         return Proposal("none", why, fit, 0.0, 0.0, None, 0.0, None)
 
     monkeypatch.setattr(shot_tracker, "propose_camera", none)
-    monkeypatch.setattr(track, "warm_up_caches", lambda *_: None)
     said = []
     for given in ((), ("--map", labels)):
         out = tmp_path / f"tracked{len(given)}"

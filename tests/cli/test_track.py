@@ -167,7 +167,10 @@ def test_a_season_of_urls_goes_to_a_url(cli, video, pictures, cameras, whole, tm
     out = Path((tmp_path / "out").as_uri())
     done = cli("track", Path(listed.as_uri()), out, *given, "--workers", 2, code=1)
     assert "store/gone.mp4: cannot be transferred: no such file" in done.stderr
-    lines = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
+    read = [json.loads(line) for line in done.stderr.splitlines() if line.startswith("{")]
+    (failed,) = (line for line in read if line.get("match") == "gone")
+    assert (failed["state"], failed["tries"], failed["kind"]) == ("failed", 1, "match")
+    lines = [line for line in read if line.get("match") in ("one", "two")]
     assert {line["match"] for line in lines} == {"one", "two"}
     assert {(line["state"], line["tries"], line["error"]) for line in lines} == {("done", 1, "")}
     assert all(line["evidence"] > 0.9 for line in lines if line["kind"] == "track")
@@ -198,7 +201,7 @@ def test_a_unit_that_fails_three_times_is_set_aside_and_tried_again_when_asked(
         patched.setattr(command, "follow_shot", failing)
         done = cli("track", video, out, *words, code=1)
     assert tries.count(CUT) == 3
-    assert "set aside: match/track/" in done.stderr
+    assert f"set aside: match: track of frames {CUT} to {FRAMES - 1}: " in done.stderr
     assert "the disk is gone" in done.stderr
     assert tracked(out).has_camera.tolist() == [True] * CUT + [False] * (FRAMES - CUT)
     again = cli("track", video, out, *words, code=1)  # without being asked

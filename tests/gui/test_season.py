@@ -43,7 +43,7 @@ def tracked(season, tmp_path) -> Path:
     """One match is done, another begun, with a unit that was set aside."""
     out = tmp_path / "tracked"
     with UnitStore(out / "track.sqlite", {SOURCE: str(season)}, resume=False) as store:
-        store.announce("day 2/a", 12, DONE)
+        store.announce("day 2/a", DONE, frames=12, cameras=12, evidence=0.5)
         store.add("1", None, match="day 2/a", kind="track", frames=12, evidence=0.5)
         store.add("2", None, match="day 10/b", kind="track", frames=7, evidence=0.91)
         store.add("3", None, match="day 10/b", kind="track", state="failed", error="damaged")
@@ -96,9 +96,9 @@ def test_matches_are_listed_and_open_with_their_cameras(
 
 
 def test_a_folder_of_pictures_with_a_video_is_a_dataset(make_window, qtbot, season, dataset):
-    (season / "day 2" / "a.avi").rename(dataset.parent / "clip.avi")
+    (season / "day 2" / "a.avi").rename(dataset / "clip.avi")
     window = make_window()
-    window.opening.drop([dataset.parent])
+    window.opening.drop([dataset])
     qtbot.waitUntil(lambda: window.services.state.workspace is not None)
     window.opening.drop([season])
     assert len(shown(window, qtbot)) == 2

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -363,14 +362,3 @@ def _positions_agree(free: FitResult, vector: FloatArray, at_known: FitResult) -
 def half_height_px(size: tuple[int, int]) -> float:
     frame = ImageFrame(size)
     return float(round(frame.size[1] * frame.scale / 2))
-
-
-def warm_up_caches(field: Field, size: tuple[int, int]) -> None:
-    """Work out what searches of pictures (width, height) px with nothing known all look up: once
-    for a field and a shape of picture, in some seconds, unless a person did."""
-    lines = field_line_points(field)
-    if lines is None:
-        return
-    half_height, sides = half_height_px(size), _allowed_sides(field)
-    with ThreadPoolExecutor(len(sides), thread_name_prefix="preparing") as pool:
-        list(pool.map(lambda side: hypotheses_on_side(lines, half_height, side), sides))
