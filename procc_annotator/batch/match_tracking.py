@@ -41,7 +41,7 @@ _MOST_ROUNDS = 8  # pieces that a camera is handed on through
 _SAME_PX = 1.0
 
 Units = Sequence[TrackingUnit]
-Results = Mapping[str, Any]  # by key, see `TrackTask`; None for one that was set aside
+Results = Mapping[str, Any]  # by key, see `TrackTask`; of one that was set aside the error
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +101,8 @@ def track_match(match: MatchToTrack) -> Generator[Units, Results, TrackedMatch]:
     ]
     pixels = PixelUnit(match.name, match.pictures, match.stamp, match.field_key)
     cuts = yield [*parts, *([pixels] if match.field.pixels is None else [])]
-    match = replace(match, pixels=cuts.get(pixels.key) or match.pixels)
+    found = cuts.get(pixels.key)
+    match = replace(match, pixels=found if isinstance(found, PixelAspect) else match.pixels)
     begins = sorted({n for own in cuts.values() if isinstance(own, list) for n in own})
     shots = [range(first, past) for first, past in pairwise([0, *begins, count])]
     if match.only is not None:
@@ -164,15 +165,17 @@ class _Pieces:
     def follow(self, which: Sequence[int]) -> Generator[Units, Results, None]:
         """Do some of the units; of those that were set aside all frames are lost."""
         results = yield [self.units[i] for i in which]
-        self.found = self.found or [self._nothing(own) for own in self.numbers]
+        self.found = self.found or [self._nothing(own, "") for own in self.numbers]
         for i in which:
-            found = results.get(self.units[i].key)
+            found = results[self.units[i].key]
             if isinstance(found, PackedCameras):
                 self.found[i] = found
+            elif not self.found[i].has_camera.any():
+                self.found[i] = self._nothing(self.numbers[i], str(found))
 
-    def _nothing(self, numbers: range) -> PackedCameras:
+    def _nothing(self, numbers: range, why: str) -> PackedCameras:
         names = self.match.names[numbers.start : numbers.stop]
-        return PackedCameras.without_cameras(names, names[0], SET_ASIDE)
+        return PackedCameras.without_cameras(names, names[0], SET_ASIDE, why)
 
     def hand_on(self) -> list[int]:
         """Give pieces a camera of a neighbour that knows better, once; which these are."""

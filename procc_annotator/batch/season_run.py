@@ -37,8 +37,8 @@ class WorkUnit(Protocol):
     def frames(self) -> int: ...
 
 
-# Rounds of units that do not wait for each other -> their results by key, None for one that was set
-# aside -> what the match comes to.
+# Rounds of units that do not wait for each other -> their results by key, of one that was set aside
+# the error -> what the match comes to.
 Plan = Generator[Sequence[WorkUnit], Mapping[str, Any], R]
 
 
@@ -203,7 +203,7 @@ class SeasonRun(Generic[R]):
             self._ready.append(unit)
             return
         now = self._under_way[unit.match]
-        now.results[unit.key] = attempt.result
+        now.results[unit.key] = attempt.error or attempt.result
         now.missing.discard(unit.key)
         if not now.missing:
             self._advance(unit.match, now.results, recover)
@@ -224,7 +224,7 @@ class SeasonRun(Generic[R]):
             for unit in units:
                 kept = self.store.unit(unit.key)
                 if kept is not None and kept.state == FAILED:
-                    now.results[unit.key] = None
+                    now.results[unit.key] = kept.error
                 elif unit.key in self.store and (
                     (found := self.store.result(unit.key)) is not None
                     or (found := recover(unit)) is not None

@@ -27,6 +27,7 @@ from procc_annotator.dataset.sequence import PictureSource, open_pictures
 from procc_annotator.errors import CameraError, UsageError
 from procc_annotator.formats.atomic import make_folder
 from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER
 from procc_annotator.messages import list_names, pluralize
@@ -87,7 +88,8 @@ def annotate(
     def of_match(match: Match | None) -> None:
         own = given if match is None else replace(given, field=match.field or given.field)
         if match is None:
-            places = source, out, cameras
+            theirs = place_of_match(cameras, Match(source.stem, source), PACKED_SUFFIX)
+            places = source, out, theirs or cameras
         elif (theirs := place_of_match(cameras, match)) is not None:
             places = match.pictures, out / match.name, theirs
         else:

@@ -14,13 +14,13 @@ from procc_annotator.errors import ProccError
 from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 
 
-def place_of_match(root: Path | None, match: Match) -> Path | None:
-    """Return where annotations or cameras of a match lie below those of its season; None if there
-    are none."""
+def place_of_match(root: Path | None, match: Match, *suffixes: str) -> Path | None:
+    """Return where annotations or cameras of a match lie below those of its season, in a folder or
+    a file of one of some suffixes (by default ``.npz`` and ``.zip``); None if there are none."""
     if root is None:
         return None
-    named = (root / match.name, root / f"{match.name}{PACKED_SUFFIX}", root / f"{match.name}.zip")
-    return next((own for own in named if own.exists()), None)
+    wanted = suffixes or ("", PACKED_SUFFIX, ".zip")
+    return next((own for end in wanted if (own := root / f"{match.name}{end}").exists()), None)
 
 
 def for_each_match(source: Path, once: Callable[[Match | None], None]) -> None:

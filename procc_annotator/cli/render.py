@@ -14,11 +14,14 @@ from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.drawing_options import DrawingOptions
 from procc_annotator.cli.echo import echo
+from procc_annotator.cli.matches import place_of_match
 from procc_annotator.cli.painters import overlay_painter
+from procc_annotator.dataset.season import Match
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import UsageError
 from procc_annotator.figures.top_view import SUFFIXES, TopViewPainter
 from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 from procc_annotator.formats.frame_names import frame_finder
 from procc_annotator.formats.point_tables import PointTable, read_rows
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
@@ -119,6 +122,7 @@ def render(
 ) -> None:
     setup = given.setup(dataset)
     workspace = given.open(dataset, setup)
+    cameras = place_of_match(cameras, Match(dataset.stem, dataset), PACKED_SUFFIX) or cameras
     camera_set = input_files.open_cameras(cameras, given.camera_format, given.own_size, setup.field)
     outputs.check_folder_apart(
         out, [workspace.annotations, *([camera_set] if camera_set is not None else [])]

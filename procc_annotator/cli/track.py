@@ -162,7 +162,7 @@ def track(
         echo(f"note: {store_file} is uploaded at the end", err=True)
     if not overwrite:
         _require_free(out, matches, store_file)
-    terms = {**tracking.terms, SOURCE: remote_files.url_of(source) or str(source.absolute())}
+    terms = {SOURCE: remote_files.url_of(source) or str(source.absolute())}
     asked = _Asked(only, log, bool(annotations or cameras), url)
     with (
         ExitStack() as at_end,

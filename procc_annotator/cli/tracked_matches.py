@@ -32,7 +32,7 @@ from procc_annotator.dataset import remote_files
 from procc_annotator.dataset.dataset_field import with_dataset_pixels
 from procc_annotator.dataset.season import Match
 from procc_annotator.dataset.sequence import PictureSource, open_pictures
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.atomic import make_folder, write_atomic
 from procc_annotator.formats.cameras.collection import CameraCollection
@@ -77,6 +77,9 @@ class Anchors:
                 remarks.report_remarks(collection.notices)
                 found.add_cameras(pictures.frames, collection, self.camera_size)
         remarks.report_remarks(found.remarks)
+        given_places = (self.annotations, annotations), (self.cameras, cameras)
+        for root in (root for root, own in given_places if root is not None and own is None):
+            echo(f"note: nothing for the match {match.name} in {root}", err=True)
         places = [str(one) for one in (annotations, cameras) if one is not None]
         if places and not found.cameras:
             echo(f"note: no frame here has a camera in {' and '.join(places)}", err=True)
@@ -116,12 +119,6 @@ class TrackedMatches:
         self._read: tuple[str, PackedCameras | None] | None = None
         self._frames = 0  # that were followed
 
-    @property
-    def terms(self) -> dict[str, str]:
-        """What the run was asked for, see `UnitStore`."""
-        fields = {field_settings(field): None for field in self.fields.values()}
-        return {"field": next(iter(fields)) if len(fields) == 1 else hex_digest(*fields)[:12]}
-
     def path(self, name: str) -> Path:
         """The file of a match."""
         return self._out / f"{name}{PACKED_SUFFIX}"
@@ -139,7 +136,7 @@ class TrackedMatches:
         url = remote_files.url_of(match.pictures)
         place = match.pictures if url else pictures.path.absolute()
         pixels = shown.pixels or with_dataset_pixels(shown, pictures.path).pixels
-        stamp = pictures.stamp()
+        stamp = hex_digest(pictures.stamp(), field_settings(shown))[:16]
         plan = track_match(
             MatchToTrack(
                 name, place, stamp, replace(shown, pixels=pixels), name, names,
@@ -179,8 +176,11 @@ class TrackedMatches:
     def _written(self, name: str) -> PackedCameras | None:
         """What the file of a match holds; of the match asked for last it is kept."""
         if self._read is None or self._read[0] != name:
-            path = self.path(name)
-            there = read_packed(read_file(path), str(path)) if path.exists() else None
+            path, there = self.path(name), None
+            try:
+                there = read_packed(read_file(path), str(path)) if path.exists() else None
+            except InputError as error:
+                remarks.report_remarks([f"{error}; it is written anew"])
             self._read = name, there
         return self._read[1]
 

@@ -94,8 +94,7 @@ def _in_tree(root: Path) -> tuple[Match, ...] | None:
         below[:] = [name for name in below if not name.startswith(".")]
         for name in files:
             suffix = "" if name.startswith(".") else Path(name).suffix.lower()
-            packed = suffix in ARCHIVE_SUFFIXES and find_pictures(Path(folder, name)).folders
-            if suffix in VIDEO_SUFFIXES or packed:
+            if suffix in VIDEO_SUFFIXES or _holds_pictures(Path(folder, name), suffix):
                 found.append(Path(folder, name))
             elif suffix in PICTURE_SUFFIXES:
                 pictures[Path(folder)] += 1
@@ -110,6 +109,14 @@ def _in_tree(root: Path) -> tuple[Match, ...] | None:
         named = place.relative_to(root)
         matches.append(Match((named.with_suffix("") if alone else named).as_posix(), place))
     return tuple(matches)
+
+
+def _holds_pictures(path: Path, suffix: str) -> bool:
+    """Return whether a file is an archive of pictures; a damaged one fails when it is opened."""
+    try:
+        return suffix in ARCHIVE_SUFFIXES and bool(find_pictures(path).folders)
+    except InputError:
+        return True
 
 
 def _in_list(path: Path, folder: Path) -> Iterator[Match]:

@@ -42,6 +42,8 @@ from procc_annotator.image.motion import (
 from procc_annotator.image.pixels import PixelArray, encode_png
 from procc_annotator.image.video import Video, open_shared_video, scene_cuts, video_frame_of_path
 
+_SAMPLED_BYTES = 2**16
+
 
 @dataclass(frozen=True)
 class PictureSource:
@@ -71,12 +73,17 @@ class PictureSource:
         return FrameAnnotations.of(self.path, annotations, field, names)
 
     def stamp(self) -> str:
-        """Return what another content would change: a digest of size and time of the files."""
+        """Return what another content would change, and a copy would not: a digest of the size of
+        the files, and of both ends of a video or archive."""
         digest = hashlib.sha256()
         for path in [self.path] if self.path.is_file() else [f.image_path for f in self.frames]:
-            found = os.stat(path)
-            said = f"{path.name} {found.st_size} {found.st_mtime_ns} "
-            digest.update(said.encode("utf-8", "surrogatepass"))
+            size = path.stat().st_size
+            digest.update(f"{path.name} {size} ".encode("utf-8", "surrogatepass"))
+            if path == self.path:
+                with path.open("rb") as file:
+                    digest.update(file.read(_SAMPLED_BYTES))
+                    file.seek(max(size - _SAMPLED_BYTES, 0))
+                    digest.update(file.read(_SAMPLED_BYTES))
         return digest.hexdigest()[:16]
 
     def times_s(self, numbers: range) -> FloatArray:

@@ -314,8 +314,6 @@ def test_what_other_programs_left_is_not_replaced(cli, video, cameras, followed,
     assert "holds cameras but no track.sqlite" in done.stderr
     done = cli("track", video, followed, "--cameras", cameras, "--overwrite")
     assert (followed / "match.npz").read_bytes() == before
-    done = cli("track", video, followed, "--cameras", cameras, "--field", "tennis", code=2)
-    assert "was begun with another field" in done.stderr
 
 
 def test_a_video_that_was_replaced_is_followed_again(
@@ -327,6 +325,14 @@ def test_a_video_that_was_replaced_is_followed_again(
     follow_by(monkeypatch, nothing_found)
     cli("track", other, followed)
     assert set(tracked(followed).state) == {"lost"}
+
+
+def test_a_copy_of_a_video_is_not_followed_again(
+    cli, video, cameras, followed, monkeypatch, tmp_path
+):
+    follow_by(monkeypatch, nothing_found)
+    cli("track", shutil.copyfile(video, tmp_path / "match.mp4"), followed, "--cameras", cameras)
+    assert tracked(followed).has_camera.all()
 
 
 def lost(number: int, reason: str) -> TrackedFrame:

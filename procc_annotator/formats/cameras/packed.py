@@ -121,12 +121,12 @@ class PackedCameras:
         return buffer.getvalue()
 
     @classmethod
-    def without_cameras(cls, names: Texts, shot: str, state: str) -> Self:
-        """Frames without a camera, in a state."""
+    def without_cameras(cls, names: Texts, shot: str, state: str, reason: str = "") -> Self:
+        """Frames without a camera, in a state for a reason."""
         count = len(names)
         nothing = np.full(count, np.nan)
         return cls(
-            names, nothing, (shot,) * count, (state,) * count, ("",) * count, nothing, nothing,
+            names, nothing, (shot,) * count, (state,) * count, (reason,) * count, nothing, nothing,
             nothing, nothing, np.zeros((count, 2)), np.full((count, len(PARAMETERS)), np.nan),
             np.empty((count, 0)), np.ones(count), ("",) * count,
         )  # fmt: skip
@@ -226,7 +226,10 @@ def read_packed(data: bytes, path: str) -> PackedCameras:
         raise CameraError(path, f"packed cameras are damaged: {error}", advice=_ADVICE) from error
     if len({len(column) for column in columns.values()}) != 1:
         raise CameraError(path, "its columns are of different lengths", advice=_ADVICE)
-    return PackedCameras(**columns)
+    found = PackedCameras(**columns)
+    if not (found.size[found.has_camera] >= 1).all():
+        raise CameraError(path, "cameras without the size of their pictures", advice=_ADVICE)
+    return found
 
 
 def _column(arrays: Any, name: str) -> Any:
