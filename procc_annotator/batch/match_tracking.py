@@ -35,7 +35,7 @@ PIECE_FRAMES = 1500  # a minute at 25 frames a second
 OVERLAP_FRAMES = 50
 _CUT_FRAMES = 7500  # in which cuts are looked for at once
 SET_ASIDE = "set aside"  # state of frames of a piece that failed again and again
-_MOST_ROUNDS = 8  # pieces that a camera is handed on through
+_MOST_ROUNDS = 8  # pieces along which a camera is passed on
 # Cameras of two pieces are the same where they differ by no more than what remains between lines
 # and paint in either, or this much, px.
 _SAME_PX = 1.0
@@ -110,7 +110,7 @@ def track_match(match: MatchToTrack) -> Generator[Units, Results, TrackedMatch]:
     pieces = _Pieces(match, [own for shot in shots for own in divide_shot(shot)])
     yield from pieces.follow(range(len(pieces.numbers)))
     for _ in range(_MOST_ROUNDS):
-        if not (again := pieces.hand_on()):
+        if not (again := pieces.pass_on()):
             break
         yield from pieces.follow(again)
     lost = [
@@ -136,7 +136,7 @@ def divide_shot(shot: range) -> list[range]:
 
 
 class _Meeting(NamedTuple):
-    """Where a piece hands over to the next one.
+    """Where the next piece takes over.
 
     Attributes:
         number: of a frame that both have.
@@ -160,7 +160,7 @@ class _Pieces:
         self.units = [match.unit(own) for own in numbers]
         self.found: list[PackedCameras] = []
         self._world = marking_points(match.field).world.T
-        self._handed: set[tuple[int, int]] = set()  # receiver and giver
+        self._passed: set[tuple[int, int]] = set()  # receiver and giver
 
     def follow(self, which: Sequence[int]) -> Generator[Units, Results, None]:
         """Do some of the units; of those that were set aside all frames are lost."""
@@ -177,7 +177,7 @@ class _Pieces:
         names = self.match.names[numbers.start : numbers.stop]
         return PackedCameras.without_cameras(names, names[0], SET_ASIDE, why)
 
-    def hand_on(self) -> list[int]:
+    def pass_on(self) -> list[int]:
         """Give pieces a camera of a neighbour that knows better, once; which these are."""
         again: set[int] = set()
         for i in range(len(self.numbers) - 1):
@@ -186,9 +186,9 @@ class _Pieces:
                 continue
             giver, receiver = (i, i + 1) if meeting.left_is_better else (i + 1, i)
             camera = self._camera(giver, meeting.number)
-            if camera is None or receiver in again or (receiver, giver) in self._handed:
+            if camera is None or receiver in again or (receiver, giver) in self._passed:
                 continue
-            self._handed.add((receiver, giver))
+            self._passed.add((receiver, giver))
             again.add(receiver)
             unit = self.units[receiver]
             anchors = {**unit.anchors, meeting.number: camera}
@@ -270,7 +270,7 @@ def difference_px(
 # A shot whose camera's place counts: that many frames, their lines on paint, known so well.
 _LEAST_FRAMES, _LEAST_COVERAGE, _MOST_SD_M = 10, 0.65, 1.0
 _APART_M, _WANDERS_M = 3.0, 0.5  # nearer ones are one place; farther apart in a shot it is none
-_TRIPOD_SD_M = 0.7  # shots of one match tell of a tripod to about a metre
+_TRIPOD_SD_M = 0.7  # shots of one match give a tripod to about a metre
 _MOST_POSITIONS = 4
 
 

@@ -57,7 +57,7 @@ earlier matches in the stadium.
 
 OUT gets MATCH.npz, which every command reads as cameras: of each frame the camera in px of the
 picture with its standard deviations, its shot, state (anchor; followed on paint; bridged by the
-picture's motion, where too little paint is seen; lost), why it should be looked at, coverage (share
+picture's motion, where too little paint is seen; lost), why it should be checked, coverage (share
 of the visible model on paint), residual in px, frames to the nearest anchor (docs/season.md).
 convert writes a file a frame from it.
 

@@ -64,7 +64,7 @@ class Anchors:
     def of(
         self, match: Match, pictures: PictureSource, shown: Field, given: options.FieldOptions
     ) -> TrackAnchors:
-        """The anchors of a match; remarks on them are told."""
+        """The anchors of a match; remarks on them are printed."""
         found = TrackAnchors()
         annotations = self.place(self.annotations, match)
         cameras = self.place(self.cameras, match)
@@ -206,7 +206,7 @@ class TrackedMatches:
         store.forget(name, TRACK)
 
     def on_frame(self, progress: Progress) -> Callable[[TrackedFrame], None]:
-        """Tells of frames as they are followed, in this process."""
+        """Show the progress of frames as they are followed, in this process."""
 
         def followed(_: TrackedFrame) -> None:
             self._frames += 1
@@ -217,7 +217,7 @@ class TrackedMatches:
     def attempted(
         self, progress: Progress, told: bool, log: str, attempt: Attempt, kept: Unit
     ) -> None:
-        """Tell of a unit that was tried."""
+        """Print what came of a unit that was tried."""
         unit = attempt.unit
         if not told and unit.kind == TRACK:
             self._frames += unit.frames

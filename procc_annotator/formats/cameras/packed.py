@@ -1,25 +1,7 @@
-"""The cameras of all frames of a match in one ``.npz`` file.
+"""The cameras of all frames of a match in one ``.npz`` file; ``docs/season.md`` has its layout.
 
-Every array has a row a frame, in the order of the frames. A text column is two arrays: the place of
-each frame's text in ``NAME_values``, and these as UTF-8, divided by line feeds.
-
-| array | shape, dtype | |
-|---|---|---|
-| ``procc_cameras`` | () int64 | version of this layout, 1 |
-| ``frame`` | text | names of the frames, as every command calls them |
-| ``time_s`` | (N,) float64 | from the first frame; NaN without a clock |
-| ``shot`` | text | name of the shot's first frame |
-| ``state`` | text | anchor, followed, bridged, lost, unreadable or set aside |
-| ``reason`` | text | what there is to say about that |
-| ``coverage`` | (N,) float32 | share of the visible model on paint, 0 to 1 |
-| ``residual_px`` | (N,) float32 | median distance of that paint from the model |
-| ``probability`` | (N,) float32 | that the camera is right; NaN where that was not estimated |
-| ``anchor_distance`` | (N,) float32 | frames to the nearest known camera; NaN without one |
-| ``size`` | (N, 2) float32 | width and height of the picture, which the px belong to |
-| ``camera`` | (N, 22) float64 | `PARAMETERS`; NaN without a camera |
-| ``covariance`` | (N, K (K + 1) / 2) float32 | lower triangle, of the first parameters of a fit |
-| ``pixel_aspect`` | (N,) float32 | width of a pixel over its height |
-| ``clicks`` | text | SHA-256 of the annotation that the camera was fitted to |
+A text column is two arrays: the place of each frame's text in ``NAME_values``, and these as UTF-8,
+divided by line feeds.
 """
 
 from __future__ import annotations
@@ -57,22 +39,22 @@ Texts = tuple[str, ...]
 
 @dataclass(frozen=True, eq=False)
 class PackedCameras:
-    """The cameras of N frames, by the columns that the module names; texts are tuples."""
+    """The cameras of N frames, by columns; numbers are NaN where they are unknown."""
 
     frame: Texts
-    time_s: FloatArray
-    shot: Texts
-    state: Texts
+    time_s: FloatArray  # (N,) from the first frame
+    shot: Texts  # name of its first frame
+    state: Texts  # anchor, followed, bridged, lost, unreadable or set aside
     reason: Texts
-    coverage: FloatArray
-    residual_px: FloatArray
-    probability: FloatArray
-    anchor_distance: FloatArray
-    size: FloatArray
-    camera: FloatArray
-    covariance: FloatArray
-    pixel_aspect: FloatArray
-    clicks: Texts
+    coverage: FloatArray  # (N,) share of the visible model on paint, 0 to 1
+    residual_px: FloatArray  # (N,) median distance of that paint from the model
+    probability: FloatArray  # (N,) that the camera is right
+    anchor_distance: FloatArray  # (N,) frames to the nearest known camera
+    size: FloatArray  # (N, 2) width and height of the picture, which the px belong to
+    camera: FloatArray  # (N, 22) `PARAMETERS`
+    covariance: FloatArray  # (N, K (K + 1) / 2) lower triangle, of the first parameters of a fit
+    pixel_aspect: FloatArray  # (N,) width of a pixel over its height
+    clicks: Texts  # SHA-256 of the annotation it was fitted to
 
     def __len__(self) -> int:
         return len(self.frame)
