@@ -174,7 +174,8 @@ def track(
         _track_matches(tracking, store, executor, progress, asked)
         failed = [f"{unit_words(unit)}: {unit.error}" for unit in store.units(FAILED)]
         if season:
-            stdout_console().print(season_table(store.matches()))
+            listed = [one for one in store.matches() if one.match in tracking.matches]
+            stdout_console().print(season_table(listed))
     if log == "json":
         for problem in (*tracking.problems, *failed):
             echo(json.dumps({"problem": problem}), err=True)
