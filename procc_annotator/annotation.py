@@ -36,6 +36,10 @@ class Polyline:
     class_name: str
     points: tuple[Point, ...]
 
+    def __hash__(self) -> int:
+        """Of class and places: further keys of a file may hold lists."""
+        return hash((self.class_name, tuple(point[:2] for point in self.points)))
+
 
 @dataclass(frozen=True, slots=True)
 class FrameAnnotation:

@@ -286,3 +286,10 @@ def test_widths_that_cannot_be_drawn(width):
 
     with pytest.raises(UsageError, match="line width"):
         masks.write_many([], WriteContext(SOCCER, lambda name, data: True, line_width=width))
+
+
+def test_further_keys_of_points_may_hold_anything():
+    """Elements are looked up by what they are, whatever other programs keep at their points."""
+    data = b'{"Middle line": [{"x": 0.1, "y": 0.2, "of": [1, {"a": []}]}, {"x": 0.3, "y": 0.4}]}'
+    one, other = (read_annotation(data, path="1.json", field=FIELD).polylines[0] for _ in range(2))
+    assert {one: 1}[other] == 1
