@@ -40,7 +40,7 @@ from procc_annotator.translation import tr, tr_count
 _MANY = 500  # frames that are asked on the interface thread at most
 
 
-class FrameFilter:
+class FrameFilter(QObject):
     """Turns the filter's text into the indices of matching frames; None means all of them."""
 
     def __init__(
@@ -51,6 +51,7 @@ class FrameFilter:
         problem: Callable[[str], None],
     ) -> None:
         """``problem`` receives what is wrong with the text, or still missing; "" for nothing."""
+        super().__init__(owner)
         self._services, self._found, self._problem = services, found, problem
         self._text = ""
         self._query = parse_query("", services.state.field)
