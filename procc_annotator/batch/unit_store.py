@@ -140,8 +140,7 @@ class UnitStore:
         self.path = path
         self.terms = {**terms, "version": __version__, "numpy": np.__version__}
         self._database: sqlite3.Connection | None = None
-        self._new = not (resume and path.exists())
-        if not self._new:
+        if resume and path.exists():
             self._database = _opened(path)
             self._check()
 
@@ -153,7 +152,7 @@ class UnitStore:
             InputError: it cannot be read.
         """
         found = cls.__new__(cls)
-        found.path, found._new, found._database = path, False, _opened(path)
+        found.path, found._database = path, _opened(path)
         found.terms = dict(found._rows("SELECT name, value FROM terms"))
         return found
 

@@ -107,7 +107,8 @@ ONLY = ("missing", "failed", "doubtful")
 Only = Annotated[
     str,
     typer.Option(
-        metavar="|".join(ONLY), help="Which pieces: missing ones, or those also that failed or ..."
+        metavar="|".join(ONLY),
+        help="Pieces to track: missing ones; besides these failed, or doubtful ones.",
     ),
 ]
 LOGS = ("text", "json")
@@ -206,12 +207,16 @@ def _track_matches(
         failed=asked.only == "failed",
         evidence_below=MIN_COVERAGE if asked.only == "doubtful" else None,
     )
-    told = isinstance(executor, InProcess)
+    in_process = isinstance(executor, InProcess)
     task = TrackTask(
-        tracking.fields, follow_shot, tracking.on_frame(progress) if told else ignore_progress
+        tracking.fields, follow_shot, tracking.on_frame(progress) if in_process else ignore_progress
     )
     run = SeasonRun[TrackedMatch](
-        task, store, executor, evidence_of, partial(tracking.attempted, progress, told, asked.log)
+        task,
+        store,
+        executor,
+        evidence_of,
+        partial(tracking.attempted, progress, in_process, asked.log),
     )
     try:
         done = {one.match for one in store.matches() if one.state == DONE}

@@ -215,11 +215,11 @@ class TrackedMatches:
         return followed
 
     def attempted(
-        self, progress: Progress, told: bool, log: str, attempt: Attempt, kept: Unit
+        self, progress: Progress, in_process: bool, log: str, attempt: Attempt, kept: Unit
     ) -> None:
         """Print what came of a unit that was tried."""
         unit = attempt.unit
-        if not told and unit.kind == TRACK:
+        if not in_process and unit.kind == TRACK:
             self._frames += unit.frames
             progress(min(self._frames, self._total), self._total)
         if log == "json":

@@ -161,6 +161,7 @@ class SeasonTask(DialogTask):
         self.dialog.open()  # before a row is chosen: columns are as wide as the texts in sight
         if not self.dialog.table.currentIndex().isValid():
             self.dialog.table.selectRow(0)
+            self.dialog.table.setFocus()  # arrows choose a match
 
     def _open(self) -> None:
         at = self.dialog.table.currentIndex().siblingAtColumn(0) if self.dialog else None
