@@ -4,20 +4,27 @@
 import multiprocessing
 import resource
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.match_tracking import MatchToTrack, TrackedMatch, track_match
 from procc_annotator.batch.season_run import Attempt, Plan, SeasonRun
-from procc_annotator.batch.unit_store import UnitStore
+from procc_annotator.batch.tracking import TRACK, CutUnit, TrackingUnit
+from procc_annotator.batch.unit_store import DONE, UnitStore
 from procc_annotator.dataset.season import list_matches
+from procc_annotator.field.load import load_field
+from procc_annotator.field.model import PixelAspect
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.packed import PARAMETERS, PackedCameras
 
 UNITS_A_MATCH = 260  # of 100 minutes
+MATCHES = 38  # a tenth of a season
+MATCH_FRAMES = 150_000
+SHOT_FRAMES = 500  # 20 s
 WORK_S = 0.2  # of a unit of the overhead: a hundredth of a real one
 
 
@@ -104,21 +111,73 @@ def test_overhead_of_two_processes(benchmark, tmp_path):
     print(f"\noverhead {benchmark.pedantic(run, rounds=1):.2%} of units of {WORK_S} s")
 
 
+@dataclass(frozen=True, eq=False)
+class Repeated:
+    """Takes the cameras of one minute for those of every piece of every match."""
+
+    minute: PackedCameras
+
+    def __call__(self, unit: TrackingUnit) -> list[int] | PackedCameras:
+        if isinstance(unit, CutUnit):
+            return [number for number in unit.numbers if number and number % SHOT_FRAMES == 0]
+        names = tuple(f"m_{i:06d}" for i in unit.numbers)
+        rows = self.minute.rows(range(len(names)))
+        return replace(rows, frame=names, shot=(names[0],) * len(names))
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_season_of_repeated_results(benchmark, tmp_path, workers):
+    """A tenth of a season, 38 matches of 100 minutes: all that is done but following cameras."""
+    field, names = load_field("soccer"), tuple(f"m_{i:06d}" for i in range(MATCH_FRAMES))
+    task = Repeated(made_cameras(1500))
+    megabytes: list[float] = []
+
+    def begin(match: str) -> Plan[TrackedMatch]:
+        pixels = PixelAspect(1.0, 1.0)
+        known = MatchToTrack(match, tmp_path, "", replace(field, pixels=pixels), "", names)
+        return track_match(known)
+
+    def run() -> float:
+        began = time.process_time()
+        with (
+            UnitStore(tmp_path / "track.sqlite", {}, resume=False) as store,
+            make_executor(workers) as executor,
+        ):
+            season = SeasonRun[TrackedMatch](task, store, executor)
+            for name, found in season.run({f"m{i:02d}": "" for i in range(MATCHES)}, begin):
+                (tmp_path / "match.npz").write_bytes(found.cameras.encoded())
+                store.announce(name, DONE)
+                store.forget(name, TRACK)
+                assert len(found.cameras) == MATCH_FRAMES
+                megabytes.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+        return time.process_time() - began
+
+    seconds = benchmark.pedantic(run, rounds=1)
+    print(
+        f"\n{workers} workers: {seconds / MATCHES:.1f} s of CPU a match, {megabytes[3]:.0f} MB after 4"
+        f" matches, {megabytes[-1]:.0f} MB after all"
+    )
+
+
 @pytest.fixture(scope="module")
 def season(tmp_path_factory) -> Path:
     """380 files of matches, of which one is 100 minutes long."""
     root = tmp_path_factory.mktemp("season")
     for i in range(380):
         (root / f"{i:03d}.mp4").write_bytes(b"")
-    count = 150_000
+    (root / "match.npz").write_bytes(made_cameras(MATCH_FRAMES).encoded())
+    return root
+
+
+def made_cameras(count: int) -> PackedCameras:
+    """Cameras that pan slowly, with noise in all they keep."""
     names = tuple(f"m_{i:06d}" for i in range(count))
     rng = np.random.default_rng(0)
     bare = PackedCameras.without_cameras(names, names[0], "followed")
     cameras = np.zeros((count, len(PARAMETERS)))
     cameras[:, :8] = np.cumsum(rng.normal(0, 1e-3, (count, 8)), axis=0)
     columns = {**vars(bare), "camera": cameras, "covariance": rng.normal(0, 1e-4, (count, 36))}
-    (root / "match.npz").write_bytes(PackedCameras(**columns).encoded())
-    return root
+    return PackedCameras(**columns)
 
 
 def test_listing_and_opening(benchmark, season):
