@@ -113,7 +113,7 @@ def lost_frame(one: TrackedFrame, why: str) -> TrackedFrame:
     """A frame whose picture could not be used: it has no camera, whatever the picture gave."""
     return replace(
         one, state="lost", reason=why, fit=None, coverage=0.0, residual_px=None,
-        anchor_distance=None,
+        anchor_distance=None, probability=None,
     )  # fmt: skip
 
 
@@ -320,7 +320,7 @@ def _packed(
         tuple(str(review_reason(one)) for one in tracked),
         numbers(one.coverage for one in tracked),
         numbers(one.residual_px for one in tracked),
-        np.full(len(tracked), np.nan),
+        numbers(one.probability for one in tracked),
         numbers(one.anchor_distance for one in tracked),
         sizes,
         cameras,
