@@ -18,12 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.batch.tracking import (
-    CutUnit,
-    PixelUnit,
-    TrackingUnit,
-    TrackUnit,
-)
+from procc_annotator.batch.tracking import CutUnit, PixelUnit, TrackingUnit, TrackUnit
 from procc_annotator.calibration.line_alignment.expected_lines import marking_points
 from procc_annotator.calibration.single_image.proposal import KnownPosition
 from procc_annotator.camera.base import Camera

@@ -73,7 +73,9 @@ _COMPARED_FRAME = 20  # scored frames that take as long
 
 Dataset = Annotated[
     Path,
-    typer.Argument(help="Folder of pictures and annotations; or folder or zip of annotations."),
+    typer.Argument(
+        help="Folder of pictures and annotations, season, or folder or zip of annotations."
+    ),
 ]
 Output = Annotated[
     list[Path] | None,

@@ -11,12 +11,15 @@ from pathlib import Path
 from typing import Generic, NamedTuple, TypeVar
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.frames import Frame, video_frame
 from procc_annotator.dataset.layout import (
     find_pictures,
     frames_folder,
     has_pictures_below,
     is_known_dataset,
+    json_stems,
 )
+from procc_annotator.dataset.season import annotated_matches
 from procc_annotator.errors import ImageError
 from procc_annotator.formats.annotations.exchange import Size
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER
@@ -141,6 +144,10 @@ class PictureSizes:
         """The pictures that were found."""
         return list(self._paths.values())
 
+    def add(self, name: str, frame: Frame) -> None:
+        """Note the picture of a frame that was not found in the folders."""
+        self._paths.setdefault(name, frame.image_path)
+
     def _list(self, folder: Path) -> None:
         try:
             names = sorted(os.listdir(folder))
@@ -220,7 +227,7 @@ class FitSizes:
                 picture that there is, or of the video that the frames are of.
         """
         dataset, annotations = dataset.absolute(), annotations.absolute()
-        sizes = map(PictureSizes.around(dataset, annotations).size, frames)
+        sizes = map(_with_videos(dataset, annotations).size, frames)
         first = next((s for s in sizes if s is not None), None)
         return cls(asked, dataset, annotations, first or _size_of_video(annotations))
 
@@ -228,7 +235,7 @@ class FitSizes:
     def _pictures(self) -> PictureSizes:
         if self.dataset is None or self.annotations is None:
             return PictureSizes([])
-        return PictureSizes.around(self.dataset, self.annotations)
+        return _with_videos(self.dataset, self.annotations)
 
     def picture_of(self, name: str) -> Path | None:
         """The picture of a frame, if there is one."""
@@ -244,6 +251,16 @@ class FitSizes:
         if self.asked is not None:
             return FrameSize(self.asked, picture)
         return FrameSize(DEFAULT_SIZE if picture is None else fit_size_for(picture), picture)
+
+
+def _with_videos(dataset: Path, annotations: Path) -> PictureSizes:
+    """As `PictureSizes.around`, with the annotated frames of the videos of a season."""
+    found = PictureSizes.around(dataset, annotations)
+    for match, folder in annotated_matches(dataset):
+        for stem in json_stems(folder):
+            if (number := stem.removeprefix(f"{match.pictures.stem}_")).isdecimal():
+                found.add(f"{match.name}/{stem}", video_frame(match.pictures, int(number)))
+    return found
 
 
 def pictures_of_another_shape(

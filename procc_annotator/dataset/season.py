@@ -11,7 +11,13 @@ from pathlib import Path
 
 from natsort import natsorted
 
-from procc_annotator.dataset.layout import find_pictures, frames_folder
+from procc_annotator.dataset.layout import (
+    annotations_of,
+    find_pictures,
+    frames_folder,
+    holds_annotations,
+    json_names,
+)
 from procc_annotator.dataset.remote_files import file_name, local_path, url_of
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.csv_tables import read_table
@@ -83,6 +89,24 @@ def list_matches(path: Path) -> tuple[Match, ...] | None:
     return tuple(_in_list(path, path.parent)) if path.suffix.lower() == ".csv" else None
 
 
+def annotated_matches(path: Path) -> list[tuple[Match, Path]]:
+    """The annotated matches of a season, each with the folder of its annotations: ``match_frames``
+    next to ``match.mp4``. None of a single match, or of a folder with annotations of its own.
+
+    Raises:
+        UsageError, InputError: as of `list_matches`.
+    """
+    if path.suffix.lower() != ".csv" and (not path.is_dir() or json_names(path)):
+        return []
+    found = []
+    for match in list_matches(path) or ():
+        is_folder = match.pictures.is_dir()
+        place = annotations_of(match.pictures) if is_folder else frames_folder(match.pictures)
+        if holds_annotations(place):
+            found.append((match, place))
+    return found
+
+
 def _in_tree(root: Path) -> tuple[Match, ...] | None:
     found: list[Path] = []
     pictures: Counter[Path] = Counter()
@@ -93,7 +117,7 @@ def _in_tree(root: Path) -> tuple[Match, ...] | None:
     for folder, below, files in os.walk(root, onerror=refused):
         below[:] = [name for name in below if not name.startswith(".")]
         for name in files:
-            suffix = "" if name.startswith(".") else Path(name).suffix.lower()
+            suffix = "" if name.startswith(".") else suffix_of(name)
             if suffix in VIDEO_SUFFIXES or _holds_pictures(Path(folder, name), suffix):
                 found.append(Path(folder, name))
             elif suffix in PICTURE_SUFFIXES:

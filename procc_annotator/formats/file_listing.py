@@ -126,6 +126,7 @@ def _content(source: FileSource, file: str) -> Any:
 CAMERA_PREFIX = "camera_"
 _ENDING = ".json"
 _JSON = frozenset({".json", ".jsonl"})
+_PACKED = ".npz"
 _STORAGE = frozenset({".yml", ".yaml", ".xml"})
 _HOMOGRAPHY_ENDING = "_homography"
 # What this program writes next to annotations; a frame cannot have these names.
@@ -263,6 +264,9 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
         return suffix in suffixes and name not in OWN_FILES and not other
 
     names, in_tree = files_of(source, wanted)
+    if names and all(name.endswith(_PACKED) for name in names):  # of a season, at any depth
+        names = [name for name in source.tree() if name.endswith(_PACKED)]
+        in_tree = in_tree or any("/" in name for name in names)
     if not names and fmt == "auto":
         alone = [name for name in source.files() if splitext(name)[1].lower() in ALONE_SUFFIXES]
         names, in_tree = (alone, False) if len(alone) == 1 else (names, in_tree)

@@ -153,6 +153,29 @@ def test_a_season_is_the_matches_one_by_one(cli, video, cameras, whole, tmp_path
     assert all(same(tracked(tmp_path / "listed", name), tracked(whole)) for name in ("one", "two"))
 
 
+@pytest.mark.parametrize("is_listed", [False, True])
+def test_annotations_beside_the_videos_of_a_season(cli, shot, video, whole, is_listed, tmp_path):
+    """By the tree or by a list; the files of matches lie at several depths."""
+    season, out = tmp_path / "season", tmp_path / "out"
+    true = write_cameras(shot, tmp_path / "true")
+    for name in ("match", "b/match"):
+        for folder in (season, out):
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(video, season / f"{name}.mp4")
+        shutil.copyfile(whole / "match.npz", out / f"{name}.npz")
+        cli("annotate", season / f"{name}.mp4", season / f"{name}_frames", "--cameras", true)
+    given = season / "season.csv" if is_listed else season
+    if is_listed:
+        given.write_text("video,match\nmatch.mp4,match\nb/match.mp4,b/match\n")
+    assert "Summary of 4 frames, 4 with a camera" in cli("evaluate", given, out).stdout
+    assert "paint was not looked for" not in cli("check", given, "-o", tmp_path / "f.csv").stdout
+    cli("report", given, "--cameras", f"t={out}", "-o", tmp_path / "report.json")
+    assert f"b/match/{name_of(20)}" in (tmp_path / "report.json").read_text()
+    shutil.rmtree(season / "b/match_frames")
+    for cameras in (out, out / "match.npz"):
+        assert "2 frames, 2 with a camera" in cli("evaluate", given, cameras).stdout
+
+
 def test_a_season_of_urls_goes_to_a_url(cli, video, pictures, cameras, whole, tmp_path):
     """A video and an archive; done matches are not fetched again, and units are logged as JSON."""
     store = tmp_path / "store"
