@@ -224,12 +224,12 @@ class FitSizes:
             dataset: as the user named it.
             annotations: what the annotations are read from.
             frames: their names; one without a picture is taken to have the size of the first
-                picture that there is, or of the video that the frames are of.
+                picture that there is.
         """
         dataset, annotations = dataset.absolute(), annotations.absolute()
         sizes = map(_with_videos(dataset, annotations).size, frames)
         first = next((s for s in sizes if s is not None), None)
-        return cls(asked, dataset, annotations, first or _size_of_video(annotations))
+        return cls(asked, dataset, annotations, first)
 
     @cached_property
     def _pictures(self) -> PictureSizes:
@@ -254,12 +254,16 @@ class FitSizes:
 
 
 def _with_videos(dataset: Path, annotations: Path) -> PictureSizes:
-    """As `PictureSizes.around`, with the annotated frames of the videos of a season."""
+    """As `PictureSizes.around`, with the annotated frames of a video or of those of a season."""
     found = PictureSizes.around(dataset, annotations)
-    for match, folder in annotated_matches(dataset):
-        for stem in json_stems(folder):
-            if (number := stem.removeprefix(f"{match.pictures.stem}_")).isdecimal():
-                found.add(f"{match.name}/{stem}", video_frame(match.pictures, int(number)))
+    videos = [(f"{match.name}/", match.pictures) for match, _ in annotated_matches(annotations)]
+    beside = annotations.parent.iterdir()
+    videos += [("", path) for path in beside if frames_folder(path) == annotations]
+    for folder, path in videos:
+        is_video = path.suffix.lower() in VIDEO_SUFFIXES
+        for stem in json_stems(frames_folder(path)) if is_video else ():
+            if (number := stem.removeprefix(f"{path.stem}_")).isdecimal():
+                found.add(folder + stem, video_frame(path, int(number)))
     return found
 
 
@@ -277,24 +281,6 @@ def pictures_of_another_shape(
         for picture in list(found)[:_MAX_REPORTED]
         if not same_shape(picture, size)
     ]
-
-
-def _size_of_video(annotations: Path) -> Size | None:
-    """(width, height) px of the video next to its folder of annotations, if it is one."""
-    from procc_annotator.image.video import Video  # OpenCV: most sets do without
-
-    videos = (
-        path
-        for path in sorted(annotations.parent.iterdir())
-        if path.suffix.lower() in VIDEO_SUFFIXES and frames_folder(path) == annotations
-    )
-    for video in videos:
-        try:
-            with Video.open(video) as opened:
-                return opened.size
-        except ImageError:  # not one that can be read: its shape stays unknown
-            continue
-    return None
 
 
 def size_in_annotation(annotation: FrameAnnotation) -> Size | None:
