@@ -90,11 +90,10 @@ class TrackedMatch:
 def track_match(match: MatchToTrack) -> Generator[Units, Results, TrackedMatch]:
     """The plan of a match."""
     count = len(match.names)
-    parts = [
-        CutUnit(match.name, match.pictures, match.stamp, range(i, min(i + _CUT_FRAMES, count)))
-        for i in range(0, count, _CUT_FRAMES)
-    ]
-    pixels = PixelUnit(match.name, match.pictures, match.stamp, match.field_key)
+    own = match.name, match.pictures, match.stamp, match.field_key
+    firsts = range(0, count, _CUT_FRAMES)
+    parts = [CutUnit(*own, range(i, min(i + _CUT_FRAMES, count))) for i in firsts]
+    pixels = PixelUnit(*own, range(count))
     cuts = yield [*parts, *([pixels] if match.field.pixels is None else [])]
     found = cuts.get(pixels.key)
     match = replace(match, pixels=found if isinstance(found, PixelAspect) else match.pixels)

@@ -30,7 +30,7 @@ from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.season import Match
 from procc_annotator.dataset.sequence import open_pictures
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError, UsageError, require_existing
 from procc_annotator.field.model import Field
 from procc_annotator.messages import pluralize
 from procc_annotator.report.camera_proposals import (
@@ -56,17 +56,10 @@ probability that the camera is right, the reason, coverage (share of the visible
 explained (share of the paint on the field that is on the model), residual in px, margin (how much
 better than the next camera), standard deviations, seconds.
 
---known-positions CAMERAS: cameras of other frames of the match, or positions.csv of calibrate
---shared-position. They are searched in addition to all others, and never replace a
-better camera found without them. A position on which three frames or more agree, two of them sure,
-is known in a second search of those that are not sure.
-
---detector NAME uses a detector, too: a package that proposes cameras or labelled points for a
-picture (docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found
-there is made right and judged alike.
-
-A run that was stopped or killed goes on with --resume, in the same words: what was looked at is not
-looked at again, and the cameras are those of one run.
+Known positions are searched in addition to all others, and never replace a better camera found
+without them. A position on which three frames or more agree, two of them sure, is known in a second
+search of those that are not sure. A detector is a package that proposes cameras or labelled points
+for a picture (docs/examples/proposer_plugin).
 
 Exit code: 0; 1 if some pictures or annotations were unreadable (listed); 2 if there was nothing to
 do. A frame without a camera is no error.
@@ -141,10 +134,9 @@ class ProposeOptions:
 
 
 def propose(given: ProposeOptions) -> None:
-    def of_match(match: Match | None) -> None:
-        if match is None:
-            _propose(given)
-            return
+    require_existing(given.annotations, given.known)
+
+    def of_match(match: Match) -> None:
         field = replace(given.field_options, field=match.field or given.field_options.field)
         _propose(
             replace(
@@ -160,9 +152,6 @@ def propose(given: ProposeOptions) -> None:
 
 
 def _propose(given: ProposeOptions) -> None:
-    for place in (given.annotations, given.known):
-        if place is not None and not place.exists():
-            raise UsageError(f"{place}: does not exist")
     if given.detector is not None:
         chosen_proposer(given.detector)
     shown = given.field_options.of(given.dataset)

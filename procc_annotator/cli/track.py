@@ -15,7 +15,7 @@ from procc_annotator.batch.execution.executor import Executor, InProcess, make_e
 from procc_annotator.batch.match_tracking import TrackedMatch
 from procc_annotator.batch.season_run import SeasonRun
 from procc_annotator.batch.tracking import TrackTask, ignore_progress
-from procc_annotator.batch.unit_store import DONE, FAILED, SOURCE, UnitStore
+from procc_annotator.batch.unit_store import DONE, SOURCE, UnitStore, only_run
 from procc_annotator.calibration.tracking.shot_tracker import track_shot as follow_shot
 from procc_annotator.calibration.tracking.track import MIN_COVERAGE
 from procc_annotator.cli import options, outputs, remarks
@@ -26,11 +26,11 @@ from procc_annotator.cli.tracked_matches import (
     Progress,
     TrackedMatches,
     evidence_of,
-    unit_words,
+    set_aside,
 )
 from procc_annotator.dataset import remote_files
 from procc_annotator.dataset.season import STORE_FILE, Match, list_matches
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import UsageError, require_existing
 from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 from procc_annotator.messages import pluralize
 from procc_annotator.report.tracking import season_table
@@ -86,8 +86,7 @@ From = Annotated[
     str | None, typer.Option("--from", metavar="FRAME", help="Follow only the shot of this frame.")
 ]
 Workers = Annotated[
-    int | None,
-    typer.Option("--workers", min=1, metavar="N", help="Processes that share the work."),
+    int | None, typer.Option("--workers", min=1, metavar="N", help="Processes that share the work.")
 ]
 ONLY = ("missing", "failed", "doubtful")
 Only = Annotated[
@@ -128,12 +127,10 @@ def track(
     for option, value, known in ("only", only, ONLY), ("log", log, LOGS):
         if value not in known:
             raise UsageError(f"--{option} {value}: expected {', '.join(known)}")
-    for given in (annotations, cameras):
-        if given is not None and not given.exists():
-            raise UsageError(f"{given}: does not exist")
+    require_existing(annotations, cameras)
     if cache is not None:
         os.environ[remote_files.CACHE_VARIABLE] = str(cache.absolute())
-    season = list_matches(source)
+    season = list_matches(source, lambda text: remarks.report_remarks([text]))
     name = source.name if source.is_dir() else remote_files.file_name(source).stem
     matches = season or (Match(name, source),)
     if season and begin is not None:
@@ -152,6 +149,7 @@ def track(
     terms = {SOURCE: remote_files.url_of(source) or str(source.absolute())}
     with (
         ExitStack() as at_end,
+        only_run(out),
         UnitStore(store_file, terms, resume=not overwrite) as store,
         make_executor(workers or (None if dask else 1), dask) as executor,
         progress_bar("following") as progress,
@@ -159,7 +157,7 @@ def track(
         at_end.callback(remote_files.upload, url, STORE_FILE)
         has_anchors = bool(annotations or cameras)
         _track_matches(tracking, store, executor, progress, only, log, has_anchors, url)
-        failed = [f"{unit_words(unit)}: {unit.error}" for unit in store.units(FAILED)]
+        failed = set_aside(store, tracking.matches)
         if season:
             listed = [one for one in store.matches() if one.match in tracking.matches]
             stdout_console().print(season_table(listed))
@@ -191,11 +189,7 @@ def _track_matches(
         tracking.fields, follow_shot, tracking.on_frame(progress) if in_process else ignore_progress
     )
     run = SeasonRun[TrackedMatch](
-        task,
-        store,
-        executor,
-        evidence_of,
-        partial(tracking.attempted, progress, in_process, log),
+        task, store, executor, evidence_of, partial(tracking.attempted, progress, in_process, log)
     )
     try:
         done = {one.match for one in store.matches() if one.state == DONE}

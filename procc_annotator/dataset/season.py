@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +19,8 @@ from procc_annotator.dataset.layout import (
     json_names,
 )
 from procc_annotator.dataset.remote_files import file_name, local_path, url_of
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError, ProccError, require_existing
+from procc_annotator.field.load import load_field_of
 from procc_annotator.formats.csv_tables import read_table
 from procc_annotator.formats.file_source import suffix_of, walk
 from procc_annotator.formats.frame_names import is_file_name
@@ -67,13 +68,16 @@ def kinds_met_first(path: Path) -> frozenset[str]:
     return frozenset()
 
 
-def list_matches(path: Path) -> tuple[Match, ...] | None:
+def list_matches(
+    path: Path, remark: Callable[[str], None] = lambda _: None
+) -> tuple[Match, ...] | None:
     """The matches of a season; None for a single one: a video, a folder of pictures, with fewer
     videos beside them, or of folders of pictures alone.
 
     Args:
         path: folder in which videos, archives and folders of pictures lie, at any depth, or a
             ``.csv`` that lists them, relative to its own folder; or a URL.
+        remark: called with what a person should know of a list.
 
     Raises:
         UsageError: nothing there.
@@ -81,12 +85,11 @@ def list_matches(path: Path) -> tuple[Match, ...] | None:
     """
     if url_of(path):
         is_list = file_name(path).suffix.lower() == ".csv"
-        return tuple(_in_list(local_path(path), path.parent)) if is_list else None
-    if not path.exists():
-        raise UsageError(f"{path}: does not exist")
+        return tuple(_in_list(local_path(path), path.parent, remark)) if is_list else None
+    require_existing(path)
     if path.is_dir():
         return _in_tree(path)
-    return tuple(_in_list(path, path.parent)) if path.suffix.lower() == ".csv" else None
+    return tuple(_in_list(path, path.parent, remark)) if path.suffix.lower() == ".csv" else None
 
 
 def annotated_matches(path: Path) -> list[tuple[Match, Path]]:
@@ -143,9 +146,12 @@ def _holds_pictures(path: Path, suffix: str) -> bool:
         return True
 
 
-def _in_list(path: Path, folder: Path) -> Iterator[Match]:
-    _, rows = read_table(path, ("video",), _EXPECTED)
+def _in_list(path: Path, folder: Path, remark: Callable[[str], None]) -> Iterator[Match]:
+    names, rows = read_table(path, ("video",), _EXPECTED)
+    if others := [name for name in names if name not in COLUMNS]:
+        remark(f"{path}: columns left out: {', '.join(others)} (known: {', '.join(COLUMNS)})")
     lines: dict[str, int] = {}
+    fields = {""}  # that can be used
     for line, row in rows:
         cells = {name: row.get(name, "").strip() for name in COLUMNS}
         place = f"line {line}"
@@ -161,6 +167,12 @@ def _in_list(path: Path, folder: Path) -> Iterator[Match]:
         if not all(map(is_file_name, parts)):
             why = f"match {name!r} is no name of a file on every system"
             raise InputError(path, why, place=place)
+        if cells["field"] not in fields:
+            try:
+                load_field_of(cells["field"])
+            except ProccError as error:
+                raise InputError(path, f"field: {error}", place=place) from error
+            fields.add(cells["field"])
         lines[name.casefold()] = line
         yield Match(name, video, cells["stadium"], cells["field"], cells["start"])
     if not lines:

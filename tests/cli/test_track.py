@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 import pytest
 
+from procc_annotator.batch.unit_store import only_run
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import Proposal
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
@@ -174,6 +175,28 @@ def test_annotations_beside_the_videos_of_a_season(cli, shot, video, whole, is_l
     shutil.rmtree(season / "b/match_frames")
     for cameras in (out, out / "match.npz"):
         assert "2 frames, 2 with a camera" in cli("evaluate", given, cameras).stdout
+
+
+def test_only_what_a_list_has_counts(cli, video, monkeypatch, tmp_path):
+    follow_by(monkeypatch, nothing_found)
+    listed, out = tmp_path / "season.csv", tmp_path / "out"
+
+    def track(*rows: str, code: int = 0) -> str:
+        listed.write_text("\n".join(("video,match,stadum,field", *(f"{video},{r}" for r in rows))))
+        return cli("track", listed, out, code=code).stderr
+
+    said = track("one,,", "two,,socer", code=2)
+    assert "season.csv: line 3: field: socer: no such field; did you mean 'soccer'?" in said
+    assert "season.csv: columns left out: stadum" in track("one,,", "two,,")
+    track("two,,")
+    told = cli("status", out, "--price", 2, "-o", tmp_path / "status.json").stdout
+    assert f"1 of 1 match done, {FRAMES} of {FRAMES} frames tracked" in told
+    numbers = json.loads((tmp_path / "status.json").read_text())
+    assert (numbers["matches_done"], numbers["frames"], numbers["hours_left"]) == (1, FRAMES, 0)
+    assert numbers["cost"] == 2 * numbers["hours"] > 0
+    with only_run(out):
+        assert "another run writes there" in track("two,,", code=2)
+    assert not list(out.glob("*.lock*"))
 
 
 def test_a_season_of_urls_goes_to_a_url(cli, video, pictures, cameras, whole, tmp_path):
