@@ -253,7 +253,7 @@ class TrackTask:
         ]
         shots = [frames[first].name for first, last in track.shots for _ in range(first, last + 1)]
         names = tuple(frames[n].name for n in numbers)
-        cameras = _packed(tracked, names, tuple(shots), source.times_s(numbers))
+        cameras = pack(tracked, names, tuple(shots), source.times_s(numbers))
         states = zip(cameras.state, numbers, strict=True)
         state = tuple(UNREADABLE if n in pictures.damaged else own for own, n in states)
         return replace(cameras, state=state)
@@ -268,7 +268,7 @@ def _opened(path: Path) -> PictureSource:
 _COVARIANCE = PARAMETERS_FREE * (PARAMETERS_FREE + 1) // 2
 
 
-def _packed(
+def pack(
     tracked: Sequence[TrackedFrame], names: tuple[str, ...], shots: tuple[str, ...],
     times_s: FloatArray,
 ) -> PackedCameras:  # fmt: skip

@@ -22,7 +22,7 @@ from procc_annotator.batch.serialization import SerializationError, deserialize,
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.load import field_fingerprint
 from procc_annotator.field.model import Field
-from procc_annotator.formats.atomic import make_folder, sibling_path
+from procc_annotator.formats.atomic import make_folder, remove, sibling_path
 from procc_annotator.regular_file import read_head
 from procc_annotator.version import __version__
 
@@ -263,10 +263,7 @@ class UnitStore:
             SaveError: the file cannot be removed.
         """
         self.__exit__()
-        try:
-            self.path.unlink(missing_ok=True)
-        except OSError as error:
-            raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
+        remove(self.path)
 
     def _rows(self, statement: str, values: Any = ()) -> list[Any]:
         if self._database is None:

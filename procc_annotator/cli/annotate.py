@@ -43,9 +43,6 @@ become an annotation in OUT, FRAME.json, SoccerNet JSON. OUT may be where the wi
 annotations: match/annotations (or match itself, where they lie beside the pictures), or
 match_frames beside match.mp4.
 
-Cameras whose files name no picture size are taken for 960x540, the official evaluation's, unless
---camera-size says otherwise.
-
 The points' provenance is "proposed": somebody should look at them. The workspace of the dataset
 remembers it, and that of OUT. A file of OUT is never replaced: frames that have one are passed
 over, so that an interrupted run goes on when it is started again.

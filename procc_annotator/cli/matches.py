@@ -20,7 +20,7 @@ def place_of_match(root: Path | None, match: Match, *suffixes: str) -> Path | No
     a file of one of some suffixes (by default ``.npz`` and ``.zip``); None if there are none."""
     if root is None:
         return None
-    wanted = suffixes or ("", PACKED_SUFFIX, ".zip")
+    wanted = suffixes or (PACKED_SUFFIX, "", ".zip")
     return next((own for end in wanted if (own := root / f"{match.name}{end}").exists()), None)
 
 

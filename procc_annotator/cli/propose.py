@@ -32,10 +32,11 @@ from procc_annotator.dataset.season import Match
 from procc_annotator.dataset.sequence import open_pictures
 from procc_annotator.errors import InputError, UsageError, require_existing
 from procc_annotator.field.model import Field
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
+from procc_annotator.formats.file_listing import UNSURE_FOLDER
 from procc_annotator.messages import pluralize
 from procc_annotator.report.camera_proposals import (
     TABLE_FILE,
-    UNSURE_FOLDER,
     ProposedSet,
     doubtful_table,
     positions_words,
@@ -46,7 +47,8 @@ from procc_annotator.report.camera_proposals import (
 
 HELP = """\
 DATASET is a folder of pictures, one picture, a video, whose frames are named as the window names
-them (match_000123), or a season (see track): OUT then has a folder a match. Nobody has to click:
+them (match_000123), or a season (see track): OUT then has a folder a match with its table, and
+MATCH.npz and unsure/MATCH.npz instead of a file a frame. Nobody has to click:
 the camera is found from the paint in the picture. Frames that are annotated are passed over, unless
 --all.
 
@@ -145,13 +147,14 @@ def propose(given: ProposeOptions) -> None:
                 out=given.out / match.name,
                 annotations=place_of_match(given.annotations, match),
                 field_options=field,
-            )
+            ),
+            packed=given.out if match.name else None,
         )
 
     for_each_match(given.dataset, of_match)
 
 
-def _propose(given: ProposeOptions) -> None:
+def _propose(given: ProposeOptions, *, packed: Path | None) -> None:
     if given.detector is not None:
         chosen_proposer(given.detector)
     shown = given.field_options.of(given.dataset)
@@ -164,7 +167,7 @@ def _propose(given: ProposeOptions) -> None:
     )
     outputs.check_camera_folder(given.out, [pictures.path, given.known])
     if not (given.overwrite or going_on):
-        _require_free(given.out, pictures.frames)
+        _require_free(given.out, pictures.frames, packed=packed is not None)
     positions = (
         () if given.known is None else read_positions(given.known, shown, given.camera_format)
     )
@@ -192,14 +195,15 @@ def _propose(given: ProposeOptions) -> None:
         ) as executor,
     ):
         run.executor, run.kept = executor, kept
-        found = propose_for_set(run, given.out, with_progress)
+        found = propose_for_set(run, given.out, with_progress, packed=packed)
     raise typer.Exit(_report(found, wanted, pictures.problems, given.out))
 
 
-def _require_free(out: Path, frames: Sequence[Frame]) -> None:
+def _require_free(out: Path, frames: Sequence[Frame], *, packed: bool) -> None:
     names = [frame.name for frame in frames]
     there = any(outputs.holds_cameras(place, names) for place in (out, out / UNSURE_FOLDER))
-    if there or (out / TABLE_FILE).exists():
+    file = out.with_name(out.name + PACKED_SUFFIX)
+    if there or (packed and file.exists()) or (out / TABLE_FILE).exists():
         raise UsageError(
             f"{out}: holds cameras or their table already; choose another place, or --overwrite to"
             " replace them"
