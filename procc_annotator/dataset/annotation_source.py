@@ -100,7 +100,6 @@ class SeasonSource(OpenedSource):
 
     def __init__(self, path: Path, matches: Sequence[tuple[Match, Path]]) -> None:
         self.path = path
-        self._several = len(matches) > 1
         self._files: dict[str, Path] = {}
         for match, place in matches:
             found = list_annotations(FolderSource(place))
@@ -109,7 +108,7 @@ class SeasonSource(OpenedSource):
         self.decoded = tuple(map(str, self._files.values()))
 
     def files(self) -> list[str]:
-        return [] if self._several else list(self._files)
+        return list(self._files) if len({*map(os.path.dirname, self._files)}) == 1 else []
 
     def tree(self) -> list[str]:
         return list(self._files)

@@ -22,6 +22,7 @@ from procc_annotator.dataset.remote_files import file_name, local_path, url_of
 from procc_annotator.errors import InputError, ProccError, require_existing
 from procc_annotator.field.load import load_field_of
 from procc_annotator.formats.csv_tables import read_table
+from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER
 from procc_annotator.formats.file_source import suffix_of, walk
 from procc_annotator.formats.frame_names import is_file_name
 from procc_annotator.image.archive import ARCHIVE_SUFFIXES
@@ -99,7 +100,8 @@ def annotated_matches(path: Path) -> list[tuple[Match, Path]]:
     Raises:
         UsageError, InputError: as of `list_matches`.
     """
-    if path.suffix.lower() != ".csv" and (not path.is_dir() or json_names(path)):
+    has_own = any(json_names(place) for place in (path, path / ANNOTATIONS_FOLDER))
+    if path.suffix.lower() != ".csv" and (has_own or not path.is_dir()):
         return []
     found = []
     for match in list_matches(path) or ():
