@@ -170,7 +170,7 @@ FRAMES_FILE = "frames.csv"
 STADIUMS_FILE = "stadiums.csv"
 
 _LOOKED_INTO = 20
-_ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
+_ANNOTATION_SUFFIXES = (".zip", ".json", ".xml", ".csv")
 OWN_FILES_AND_FOLDERS = (
     FIELD_FILE,
     LABELS_FILE,
@@ -296,8 +296,6 @@ def _holds(folder: Path, suffix: str) -> bool:
 
 def _annotations_of_file(dataset: Path) -> Path:
     suffix = dataset.suffix.lower()
-    if suffix == ".csv":  # a list of matches
-        return dataset
     if suffix in VIDEO_SUFFIXES:
         folder = frames_folder(dataset)
         if not holds_annotations(folder):

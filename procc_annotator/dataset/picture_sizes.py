@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Generic, NamedTuple, TypeVar
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.dataset.frames import Frame, video_frame
+from procc_annotator.dataset.frames import video_frame
 from procc_annotator.dataset.layout import (
     find_pictures,
     frames_folder,
@@ -144,10 +144,6 @@ class PictureSizes:
         """The pictures that were found."""
         return list(self._paths.values())
 
-    def add(self, name: str, frame: Frame) -> None:
-        """Note the picture of a frame that was not found in the folders."""
-        self._paths.setdefault(name, frame.image_path)
-
     def _list(self, folder: Path) -> None:
         try:
             names = sorted(os.listdir(folder))
@@ -263,7 +259,8 @@ def _with_videos(dataset: Path, annotations: Path) -> PictureSizes:
         is_video = path.suffix.lower() in VIDEO_SUFFIXES
         for stem in json_stems(frames_folder(path)) if is_video else ():
             if (number := stem.removeprefix(f"{path.stem}_")).isdecimal():
-                found.add(folder + stem, video_frame(path, int(number)))
+                picture = video_frame(path, int(number)).image_path
+                found._paths.setdefault(folder + stem, picture)
     return found
 
 

@@ -27,6 +27,7 @@ from procc_annotator.formats.file_source import suffix_of, walk
 from procc_annotator.formats.frame_names import is_file_name
 from procc_annotator.image.archive import ARCHIVE_SUFFIXES
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.regular_file import read_head
 
 FEWEST_PICTURES = 10  # of a match: fewer are posters and logos
 STORE_FILE = "track.sqlite"  # in the folder that track writes to
@@ -100,8 +101,11 @@ def annotated_matches(path: Path) -> list[tuple[Match, Path]]:
     Raises:
         UsageError, InputError: as of `list_matches`.
     """
-    has_own = any(json_names(place) for place in (path, path / ANNOTATIONS_FOLDER))
-    if path.suffix.lower() != ".csv" and (has_own or not path.is_dir()):
+    is_csv = path.suffix.lower() == ".csv" and path.is_file()
+    if path.is_dir():
+        if any(json_names(place) for place in (path, path / ANNOTATIONS_FOLDER)):
+            return []
+    elif not is_csv or b"video" not in read_head(path, 4096).partition(b"\n")[0]:  # points of VIA
         return []
     found = []
     for match in list_matches(path) or ():
