@@ -13,7 +13,7 @@ ProccError                     anything the user sees in one line
 
 from __future__ import annotations
 
-from pathlib import PurePath
+from pathlib import Path, PurePath
 
 
 class ProccError(Exception):
@@ -99,3 +99,10 @@ def printable(text: str, keep: str = "") -> str:
     if text.isprintable():
         return text
     return "".join(c if c.isprintable() or c in keep else ascii(c)[1:-1] for c in text)
+
+
+def require_existing(*paths: Path | None) -> None:
+    """UsageError for a path, of those that are given, at which there is nothing."""
+    for path in paths:
+        if path is not None and not path.exists():
+            raise UsageError(f"{path}: does not exist")

@@ -18,12 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from procc_annotator.arrays import FloatArray
-from procc_annotator.batch.tracking import (
-    CutUnit,
-    PixelUnit,
-    TrackingUnit,
-    TrackUnit,
-)
+from procc_annotator.batch.tracking import CutUnit, PixelUnit, TrackingUnit, TrackUnit
 from procc_annotator.calibration.line_alignment.expected_lines import marking_points
 from procc_annotator.calibration.single_image.proposal import KnownPosition
 from procc_annotator.camera.base import Camera
@@ -95,11 +90,10 @@ class TrackedMatch:
 def track_match(match: MatchToTrack) -> Generator[Units, Results, TrackedMatch]:
     """The plan of a match."""
     count = len(match.names)
-    parts = [
-        CutUnit(match.name, match.pictures, match.stamp, range(i, min(i + _CUT_FRAMES, count)))
-        for i in range(0, count, _CUT_FRAMES)
-    ]
-    pixels = PixelUnit(match.name, match.pictures, match.stamp, match.field_key)
+    own = match.name, match.pictures, match.stamp, match.field_key
+    firsts = range(0, count, _CUT_FRAMES)
+    parts = [CutUnit(*own, range(i, min(i + _CUT_FRAMES, count))) for i in firsts]
+    pixels = PixelUnit(*own, range(count))
     cuts = yield [*parts, *([pixels] if match.field.pixels is None else [])]
     found = cuts.get(pixels.key)
     match = replace(match, pixels=found if isinstance(found, PixelAspect) else match.pixels)

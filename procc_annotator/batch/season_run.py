@@ -12,7 +12,7 @@ from typing import Any, Generic, Protocol, TypeVar
 
 import cv2
 
-from procc_annotator.batch.execution.executor import Executor
+from procc_annotator.batch.execution.executor import Executor, Work
 from procc_annotator.batch.unit_store import FAILED, MATCH, WAITING, Unit, UnitStore
 from procc_annotator.errors import ProccError
 
@@ -159,14 +159,14 @@ class SeasonRun(Generic[R]):
                 else:
                     return
 
-        attempts = self.executor.map(
+        work = Work[WorkUnit, Attempt](
             AttemptUnit(self._task),
             units(),
             name=lambda unit: unit.key,
             ordered=False,
             lost=lambda unit, error: Attempt(unit, error=str(error)),
         )
-        for attempt in attempts:
+        for attempt in self.executor.map(work):
             self._take(attempt, recover)
             yield from self._done()
         yield from self._done()

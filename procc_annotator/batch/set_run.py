@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
 from procc_annotator.annotation import FrameAnnotation
-from procc_annotator.batch.execution.executor import Executor, InProcess
+from procc_annotator.batch.execution.executor import Executor, InProcess, Work
 from procc_annotator.batch.unit_store import UnitStore, hex_digest, stamp_of_file
 from procc_annotator.dataset.diagnostics import found_instead_of_annotations, refuse_cameras
 from procc_annotator.errors import InputError, UsageError
@@ -96,11 +96,11 @@ class SetRun(Generic[F, R, S]):
     ) -> Iterator[tuple[list[R], S]]:
         """Results and sums of the chunks: those that are kept, and the others as they are made."""
         if kept is None:
-            yield from self.executor.map(self.task, chunks, name=frames_in_words)
+            yield from self.executor.map(Work(self.task, chunks, frames_in_words))
             return
         keys = [self._digest(chunk) for chunk in chunks]
         missing = (chunk for chunk, key in zip(chunks, keys, strict=True) if key not in kept)
-        made = iter(self.executor.map(self.task, missing, name=frames_in_words))
+        made = iter(self.executor.map(Work(self.task, missing, frames_in_words)))
         for chunk, key in zip(chunks, keys, strict=True):
             if key not in kept:
                 results, sums = next(made)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 import numpy as np
 
@@ -50,10 +50,7 @@ class UsablePictures:
     """
 
     def __init__(
-        self,
-        read: Callable[[int], PixelArray],
-        numbers: range,
-        name: Callable[[int], str],
+        self, read: Callable[[int], PixelArray], numbers: range, name: Callable[[int], str]
     ) -> None:
         """Nothing is read yet.
 
@@ -113,7 +110,7 @@ def lost_frame(one: TrackedFrame, why: str) -> TrackedFrame:
     """A frame whose picture could not be used: it has no camera, whatever the picture gave."""
     return replace(
         one, state="lost", reason=why, fit=None, coverage=0.0, residual_px=None,
-        anchor_distance=None,
+        anchor_distance=None, probability=None,
     )  # fmt: skip
 
 
@@ -136,68 +133,22 @@ class ShotTracker(Protocol):
 
 
 @dataclass(frozen=True, eq=False)
-class CutUnit:
-    """Consecutive frames of a match in which cuts are looked for."""
-
-    match: str
-    pictures: Path
-    stamp: str
-    numbers: range
-    kind: str = "cuts"
-
-    @property
-    def frames(self) -> int:
-        """Return how many."""
-        return len(self.numbers)
-
-    @property
-    def key(self) -> str:
-        """See `Unit`."""
-        return f"{self.match}/cuts/{self.stamp}/{_numbered(self.numbers)}"
-
-
-@dataclass(frozen=True, eq=False)
-class PixelUnit:
-    """A match whose pictures may be squeezed: how wide their pixels are."""
-
-    match: str
-    pictures: Path
-    stamp: str
-    field_key: str
-    frames: int = 0
-    kind: str = "pixels"
-
-    @property
-    def key(self) -> str:
-        """See `Unit`."""
-        return f"{self.match}/pixels/{self.stamp}/"
-
-
-@dataclass(frozen=True, eq=False)
-class TrackUnit:
-    """A piece of a shot whose camera is followed.
+class TrackingUnit:
+    """Work on consecutive frames of a match.
 
     Attributes:
         match: that it is of.
         pictures: folder or video. stamp: of its content.
         field_key: of `TrackTask.fields`.
         numbers: its frames.
-        anchors: cameras that are known, by number; px of the pictures.
-        clicks: digests of the annotations that anchors were fitted to, by number.
-        known: where cameras of other shots stand; none: anywhere.
-        pixels: of the pictures; None as the field says.
     """
 
+    kind: ClassVar[str] = ""
     match: str
     pictures: Path
     stamp: str
     field_key: str
     numbers: range
-    anchors: Mapping[int, Camera] = field(default_factory=dict)
-    clicks: Mapping[int, str] = field(default_factory=dict)
-    known: tuple[KnownPosition, ...] = ()
-    pixels: PixelAspect | None = None
-    kind: str = TRACK
 
     @property
     def frames(self) -> int:
@@ -207,16 +158,44 @@ class TrackUnit:
     @property
     def key(self) -> str:
         """See `Unit`."""
+        piece = f"{self.numbers.start:08d}-{self.numbers.stop:08d}"
+        return f"{self.match}/{self.kind}/{self.stamp}/{piece}"
+
+
+class CutUnit(TrackingUnit):
+    """Frames in which cuts are looked for."""
+
+    kind = "cuts"
+
+
+class PixelUnit(TrackingUnit):
+    """All frames, whose pictures may be squeezed: how wide their pixels are."""
+
+    kind = "pixels"
+
+
+@dataclass(frozen=True, eq=False)
+class TrackUnit(TrackingUnit):
+    """A piece of a shot whose camera is followed.
+
+    Attributes:
+        anchors: cameras that are known, by number; px of the pictures.
+        clicks: digests of the annotations that anchors were fitted to, by number.
+        known: where cameras of other shots stand; none: anywhere.
+        pixels: of the pictures; None as the field says.
+    """
+
+    kind = TRACK
+    anchors: Mapping[int, Camera] = field(default_factory=dict)
+    clicks: Mapping[int, str] = field(default_factory=dict)
+    known: tuple[KnownPosition, ...] = ()
+    pixels: PixelAspect | None = None
+
+    @property
+    def key(self) -> str:
+        """See `Unit`."""
         given = serialize([dict(self.anchors), dict(self.clicks), list(self.known), self.pixels])
-        piece = f"{_numbered(self.numbers)}/{hex_digest(given)[:16]}"
-        return f"{self.match}/track/{self.stamp}/{piece}"
-
-
-TrackingUnit = CutUnit | PixelUnit | TrackUnit
-
-
-def _numbered(numbers: range) -> str:
-    return f"{numbers.start:08d}-{numbers.stop:08d}"
+        return f"{super().key}/{hex_digest(given)[:16]}"
 
 
 def ignore_progress(_: TrackedFrame) -> None:
@@ -246,10 +225,10 @@ class TrackTask:
         pictures = _opened(local_path(unit.pictures))
         if isinstance(unit, CutUnit):
             return find_cuts(pictures, unit.numbers)
-        if isinstance(unit, PixelUnit):
-            named = [(frame.name, frame.image_path) for frame in pictures.frames]
-            return set_pixel_aspect(named, self.fields[unit.field_key]) or SQUARE_PIXELS
-        return self._follow(unit, pictures)
+        if isinstance(unit, TrackUnit):
+            return self._follow(unit, pictures)
+        named = [(frame.name, frame.image_path) for frame in pictures.frames]
+        return set_pixel_aspect(named, self.fields[unit.field_key]) or SQUARE_PIXELS
 
     def _follow(self, unit: TrackUnit, source: PictureSource) -> PackedCameras:
         frames, numbers = source.frames, unit.numbers
@@ -262,12 +241,7 @@ class TrackTask:
         shown = field_for_stadium(given, stadium_of(given, frames[numbers.start].name))
         shown = replace(shown, pixels=unit.pixels or shown.pixels)
         track = self.follow(
-            pictures,
-            numbers,
-            shown,
-            anchors=unit.anchors,
-            known=unit.known,
-            on_frame=self.on_frame,
+            pictures, numbers, shown, anchors=unit.anchors, known=unit.known, on_frame=self.on_frame
         )
         if source.is_video:
             open_shared_video(source.path).release()
@@ -279,7 +253,7 @@ class TrackTask:
         ]
         shots = [frames[first].name for first, last in track.shots for _ in range(first, last + 1)]
         names = tuple(frames[n].name for n in numbers)
-        cameras = _packed(tracked, names, tuple(shots), source.times_s(numbers))
+        cameras = pack(tracked, names, tuple(shots), source.times_s(numbers))
         states = zip(cameras.state, numbers, strict=True)
         state = tuple(UNREADABLE if n in pictures.damaged else own for own, n in states)
         return replace(cameras, state=state)
@@ -294,7 +268,7 @@ def _opened(path: Path) -> PictureSource:
 _COVARIANCE = PARAMETERS_FREE * (PARAMETERS_FREE + 1) // 2
 
 
-def _packed(
+def pack(
     tracked: Sequence[TrackedFrame], names: tuple[str, ...], shots: tuple[str, ...],
     times_s: FloatArray,
 ) -> PackedCameras:  # fmt: skip
@@ -320,7 +294,7 @@ def _packed(
         tuple(str(review_reason(one)) for one in tracked),
         numbers(one.coverage for one in tracked),
         numbers(one.residual_px for one in tracked),
-        np.full(len(tracked), np.nan),
+        numbers(one.probability for one in tracked),
         numbers(one.anchor_distance for one in tracked),
         sizes,
         cameras,

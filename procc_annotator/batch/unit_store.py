@@ -11,6 +11,7 @@ import hashlib
 import sqlite3
 import time
 from collections.abc import Iterator, Mapping
+from contextlib import closing, contextmanager, suppress
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, NamedTuple, Self
@@ -21,7 +22,7 @@ from procc_annotator.batch.serialization import SerializationError, deserialize,
 from procc_annotator.errors import InputError, SaveError, UsageError
 from procc_annotator.field.load import field_fingerprint
 from procc_annotator.field.model import Field
-from procc_annotator.formats.atomic import sibling_path
+from procc_annotator.formats.atomic import make_folder, remove, sibling_path
 from procc_annotator.regular_file import read_head
 from procc_annotator.version import __version__
 
@@ -143,6 +144,8 @@ class UnitStore:
         if resume and path.exists():
             self._database = _opened(path)
             self._check()
+            if source := terms.get(SOURCE):  # the list that is worked on now
+                self._write("UPDATE terms SET value = ? WHERE name = ?", source, SOURCE)
 
     @classmethod
     def read(cls, path: Path) -> Self:
@@ -184,6 +187,7 @@ class UnitStore:
 
     def matches(self) -> list[MatchUnits]:
         """The matches, in the order of their names."""
+        piece = "rtrim(key, '0123456789abcdef')"  # of a shot, whatever anchors it was followed from
         tracked = "CASE WHEN kind = :match OR evidence IS NULL THEN 0 ELSE frames END"
         whole = "kind = :match AND state = :done"
         return [
@@ -191,7 +195,8 @@ class UnitStore:
             for row in self._rows(
                 "SELECT match, MAX(CASE WHEN kind = :match THEN state ELSE '' END),"
                 " SUM(CASE WHEN kind = :match THEN frames ELSE 0 END),"
-                " SUM(kind <> :match AND state = :done), SUM(kind <> :match AND state = :failed),"
+                f" COUNT(DISTINCT CASE WHEN kind <> :match AND state = :done THEN {piece} END),"
+                " SUM(kind <> :match AND state = :failed),"
                 f" SUM({tracked}),"
                 f" COALESCE(MAX(CASE WHEN {whole} THEN cameras END), SUM(cameras)), SUM(seconds),"
                 f" COALESCE(MAX(CASE WHEN {whole} THEN evidence END),"
@@ -258,10 +263,7 @@ class UnitStore:
             SaveError: the file cannot be removed.
         """
         self.__exit__()
-        try:
-            self.path.unlink(missing_ok=True)
-        except OSError as error:
-            raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
+        remove(self.path)
 
     def _rows(self, statement: str, values: Any = ()) -> list[Any]:
         if self._database is None:
@@ -316,6 +318,26 @@ class UnitStore:
         if self._database is not None:
             self._database.close()
             self._database = None
+
+
+@contextmanager
+def only_run(folder: Path) -> Iterator[None]:
+    """Hold the lock of a folder, made if needed; UsageError if another run has it."""
+    make_folder(folder)
+    file = folder / ".track.lock"
+    with closing(sqlite3.connect(file, timeout=0)) as lock:  # given up when a process ends
+        try:
+            lock.execute("BEGIN EXCLUSIVE")
+        except sqlite3.OperationalError as error:
+            why = f"another run writes there ({error}); wait for its end, or choose another place"
+            raise UsageError(f"{folder}: {why}") from error
+        try:
+            yield
+        finally:
+            lock.close()
+            with suppress(OSError):  # other files are there, as they should
+                file.unlink()
+                folder.rmdir()
 
 
 def _opened(path: Path) -> sqlite3.Connection:

@@ -24,7 +24,7 @@ from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.layout import annotation_folder, folder_of_dataset, holds_annotations
 from procc_annotator.dataset.season import Match
 from procc_annotator.dataset.sequence import PictureSource, open_pictures
-from procc_annotator.errors import CameraError, UsageError
+from procc_annotator.errors import CameraError, UsageError, require_existing
 from procc_annotator.formats.atomic import make_folder
 from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
@@ -43,15 +43,12 @@ become an annotation in OUT, FRAME.json, SoccerNet JSON. OUT may be where the wi
 annotations: match/annotations (or match itself, where they lie beside the pictures), or
 match_frames beside match.mp4.
 
-Cameras whose files name no picture size are taken for 960x540, the official evaluation's, unless
---camera-size says otherwise.
-
 The points' provenance is "proposed": somebody should look at them. The workspace of the dataset
 remembers it, and that of OUT. A file of OUT is never replaced: frames that have one are passed
 over, so that an interrupted run goes on when it is started again.
 
---every 25 takes every 25th frame. --views 20 takes the 20 frames whose views differ most, by where
-the camera looks and how far it zooms: those to look at first. With both, 20 of every 25th.
+--views 20 takes the 20 frames whose views differ most, by where the camera looks and how far it
+zooms: those to look at first.
 
 Exit code: 0; 1 if some pictures or cameras were unreadable (listed); 2 if there was nothing to do.
 """
@@ -82,18 +79,14 @@ def annotate(
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:
-    if not cameras.exists():
-        raise UsageError(f"{cameras}: does not exist")
+    require_existing(cameras)
 
-    def of_match(match: Match | None) -> None:
-        own = given if match is None else replace(given, field=match.field or given.field)
-        if match is None:
-            theirs = place_of_match(cameras, Match(source.stem, source), PACKED_SUFFIX)
-            places = source, out, theirs or cameras
-        elif (theirs := place_of_match(cameras, match)) is not None:
-            places = match.pictures, out / match.name, theirs
-        else:
+    def of_match(match: Match) -> None:
+        own = replace(given, field=match.field or given.field)
+        packed = place_of_match(cameras, Match(match.name or source.stem, source), PACKED_SUFFIX)
+        if (theirs := packed or place_of_match(cameras, match)) is None:
             raise UsageError(f"no cameras called {match.name} in {cameras}")
+        places = match.pictures, out / match.name, theirs
         _annotate(*places, own, every, views, camera_format, camera_size, workers, dask)
 
     for_each_match(source, of_match)

@@ -36,9 +36,6 @@ severity, rule, elements, reason, suggestion, point (from 1), error in px, the m
 that had a say (empty: none had), and the size of the picture that the px are of; a frame without a
 camera has a row of the rule "no camera".
 
-Pictures beside the annotations tell the shape of each frame; without them it is 16:9, unless --size
-says otherwise.
-
 Exit code: 0, whatever was found; 1 if something was found that --fail-on asks for, or some
 annotations were unreadable (listed); 2 if there was nothing to do.
 """

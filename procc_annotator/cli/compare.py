@@ -31,7 +31,7 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.diagnostics import classes_of_source, mismatch_of
 from procc_annotator.dataset.layout import annotations_or_path, has_pictures_below, pictures_in
 from procc_annotator.dataset.workspace import Workspace
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError, UsageError, require_existing
 from procc_annotator.field.model import Field
 from procc_annotator.figures.disagreement import DisagreementPainter
 from procc_annotator.formats.annotations.soccernet import read_annotation
@@ -211,8 +211,7 @@ def open_sources(
     """The sources; UsageError for one that is none, or two of one name."""
     opened = []
     for spec in parse_sources(texts):
-        if not spec.path.exists():
-            raise UsageError(f"{spec.path}: does not exist")
+        require_existing(spec.path)
         source = CameraSet.open(spec.path, spec.format, spec.name, camera_size, field)
         for notice in source.notices:
             echo(f"note: {spec.name}: {notice}", err=True)
@@ -254,8 +253,7 @@ def frames_of(dataset: Path | None, field: Field) -> tuple[tuple[str, ...] | Non
     dataset. UsageError for no such dataset, or nothing in it."""
     if dataset is None:
         return None, {}
-    if not dataset.exists():
-        raise UsageError(f"{dataset}: does not exist")
+    require_existing(dataset)
     with open_annotations(annotations_or_path(dataset), field) as source:
         report_set(source, field)
         if dataset.is_dir() and (pictures_in(dataset) or has_pictures_below(dataset)):

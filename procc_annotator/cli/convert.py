@@ -17,7 +17,7 @@ from procc_annotator.cli.options import chosen_field
 from procc_annotator.dataset.annotation_source import open_files, own_label_map
 from procc_annotator.dataset.diagnostics import found_instead_of_cameras
 from procc_annotator.dataset.layout import annotations_of
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import UsageError, require_existing
 from procc_annotator.formats.annotations.exchange import SIZE_UNKNOWN
 from procc_annotator.formats.annotations.registry import WRITTEN
 from procc_annotator.formats.cameras.collection import CameraCollection
@@ -262,8 +262,7 @@ def _cameras(
 ) -> Iterator[tuple[CameraCollection, Callable[[int, int], None]]]:
     """The cameras to convert, at least one, and a bar while a person watches."""
     source, out = given.source, given.out
-    if not source.exists():
-        raise UsageError(f"{source}: does not exist")
+    require_existing(source)
     if source.resolve() == out.resolve() or out.resolve().is_relative_to(source.resolve()):
         raise UsageError(f"{out}: lies in what is read, write to another place than {source}")
     if out.exists() and not given.overwrite and (out.is_file() or any(out.iterdir())):

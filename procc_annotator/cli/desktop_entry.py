@@ -12,8 +12,9 @@ from typing import Annotated
 import typer
 
 from procc_annotator.cli.echo import echo
-from procc_annotator.errors import InputError, SaveError, UsageError
+from procc_annotator.errors import InputError, UsageError
 from procc_annotator.formats.atomic import make_folder, write_atomic
+from procc_annotator.formats.atomic import remove as remove_file
 from procc_annotator.messages import pluralize
 from procc_annotator.resources import resources_dir
 
@@ -57,7 +58,7 @@ def desktop_entry(
     elif remove:
         there = [home / name for name in files if (home / name).exists()]
         for path in there:
-            _remove(path)
+            remove_file(path)
         echo(f"{pluralize(len(there), 'file')} removed below {home}")
     else:
         for name in files:
@@ -116,13 +117,6 @@ def _quoted(argument: str) -> str:
     doubled once more, and a percent sign is two."""
     escaped = "".join(f"\\{c}" if c in _SPECIAL else c for c in argument)
     return '"' + escaped.replace("\\", "\\\\").replace("%", "%%") + '"'
-
-
-def _remove(path: Path) -> None:
-    try:
-        path.unlink(missing_ok=True)
-    except OSError as error:
-        raise SaveError(f"{path}: cannot be removed: {error.strerror or error}") from error
 
 
 def refresh(home: Path) -> None:

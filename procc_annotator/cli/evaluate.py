@@ -36,7 +36,8 @@ from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations
 HELP = """\
 ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
 homography), directly or inside one split folder. ANNOTATIONS may also be a dataset folder, with
-its annotations beside the pictures or in annotations/.
+its annotations beside the pictures or in annotations/, or a season (see track) with match_frames/
+beside match.mp4: CAMERAS may then be what track wrote.
 
 Several methods on one set: ANNOTATIONS --cameras A=PATH --cameras B=PATH. Several sets: --set
 S=ANNOTATIONS --set T=ANNOTATIONS instead of ANNOTATIONS; every method is scored on every set, and
@@ -60,7 +61,8 @@ EXAMPLE = """\
 
 
 Annotations = Annotated[
-    Path | None, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
+    Path | None,
+    typer.Argument(help="Dataset folder, season, or folder or zip of annotation files."),
 ]
 Cameras = Annotated[Path | None, typer.Argument(help="Folder or zip of camera files.")]
 Sets = Annotated[

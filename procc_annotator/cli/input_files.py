@@ -39,7 +39,7 @@ from procc_annotator.dataset.workspace import (
     dataset_frames,
     file_frames,
 )
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import UsageError, require_existing
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap, read_label_map
 from procc_annotator.formats.file_listing import list_annotations
@@ -79,9 +79,7 @@ def open_dataset(
         UsageError: no such folder, or nothing in it.
         InputError: none of the annotations can be read, or the dataset's map cannot be used.
     """
-    for given in (path, annotations):
-        if given is not None and not given.exists():
-            raise UsageError(f"{given}: does not exist")
+    require_existing(path, annotations)
     if path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
         video = open_pictures(path, annotations)
         workspace = Workspace(path, video.frames, field, video.notices, video.folder)
@@ -161,8 +159,7 @@ def open_cameras(
     to stderr. UsageError for no such folder or file, or no camera in it."""
     if path is None:
         return None
-    if not path.exists():
-        raise UsageError(f"{path}: does not exist")
+    require_existing(path)
     cameras = CameraSet.open(path, camera_format, camera_size=camera_size, field=field)
     if not cameras.frames:
         raise UsageError(

@@ -8,6 +8,7 @@ from pathlib import Path
 import typer
 
 from procc_annotator.cli.echo import echo
+from procc_annotator.cli.remarks import report_remarks
 from procc_annotator.dataset.remote_files import remove_copies
 from procc_annotator.dataset.season import Match, list_matches
 from procc_annotator.errors import ProccError
@@ -19,12 +20,12 @@ def place_of_match(root: Path | None, match: Match, *suffixes: str) -> Path | No
     a file of one of some suffixes (by default ``.npz`` and ``.zip``); None if there are none."""
     if root is None:
         return None
-    wanted = suffixes or ("", PACKED_SUFFIX, ".zip")
+    wanted = suffixes or (PACKED_SUFFIX, "", ".zip")
     return next((own for end in wanted if (own := root / f"{match.name}{end}").exists()), None)
 
 
-def for_each_match(source: Path, once: Callable[[Match | None], None]) -> None:
-    """Call a command for each match of a season; with None where the source is a single one.
+def for_each_match(source: Path, once: Callable[[Match], None]) -> None:
+    """Call a command for each match of a season; a single source is one without a name.
 
     What one match fails with is said, and the others follow.
 
@@ -32,9 +33,9 @@ def for_each_match(source: Path, once: Callable[[Match | None], None]) -> None:
         typer.Exit: of a season: 1 if some match had problems.
         UsageError, InputError: as of `list_matches`.
     """
-    matches = list_matches(source)
+    matches = list_matches(source, lambda text: report_remarks([text]))
     if matches is None:
-        once(None)
+        once(Match("", source))
         return
     code = 0
     for match in matches:

@@ -21,7 +21,7 @@ from procc_annotator.cli.echo import echo
 from procc_annotator.cli.method_arguments import parse_sources
 from procc_annotator.cli.options import Lines, Sources, chosen_field
 from procc_annotator.dataset.layout import FIELD_FILE, frames_folder
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import UsageError, require_existing
 from procc_annotator.image.headers import VIDEO_SUFFIXES
 
 _NOT_FOUND = re.compile(r"^\s*(\S+) => not found", re.MULTILINE)
@@ -186,9 +186,7 @@ def open_window(given: OpenOptions) -> None:
         raise typer.Exit(_selftest(path, given.field, given.lines))
     texts = given.cameras or []
     sources = parse_sources(texts)
-    for place in (path, given.annotations, *(source.path for source in sources)):
-        if place is not None and not place.exists():
-            raise UsageError(f"{place}: does not exist")
+    require_existing(path, given.annotations, *(source.path for source in sources))
     if path is not None and given.annotations is not None and path.suffix.lower() in VIDEO_SUFFIXES:
         raise UsageError(
             f"{path} is a video, whose annotations lie in {frames_folder(path)}: open it without"
@@ -216,8 +214,7 @@ def open_window(given: OpenOptions) -> None:
 
 
 def _selftest(path: Path | None, field: str | None, lines: str | None) -> int:
-    if path is not None and not path.exists():
-        raise UsageError(f"{path}: does not exist")
+    require_existing(path)
     require_qt_libraries()
     from procc_annotator.gui.selftest import run_selftest
 

@@ -344,7 +344,7 @@ FigureFiles = Annotated[
     ),
 ]
 AnnotatedSet = Annotated[
-    Path, typer.Argument(help="Dataset folder, or folder or zip of annotation files.")
+    Path, typer.Argument(help="Dataset folder, season, or folder or zip of annotation files.")
 ]
 FitWorkers = Annotated[
     int | None,

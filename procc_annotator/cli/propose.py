@@ -30,12 +30,13 @@ from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.season import Match
 from procc_annotator.dataset.sequence import open_pictures
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError, UsageError, require_existing
 from procc_annotator.field.model import Field
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
+from procc_annotator.formats.file_listing import UNSURE_FOLDER
 from procc_annotator.messages import pluralize
 from procc_annotator.report.camera_proposals import (
     TABLE_FILE,
-    UNSURE_FOLDER,
     ProposedSet,
     doubtful_table,
     positions_words,
@@ -46,7 +47,8 @@ from procc_annotator.report.camera_proposals import (
 
 HELP = """\
 DATASET is a folder of pictures, one picture, a video, whose frames are named as the window names
-them (match_000123), or a season (see track): OUT then has a folder a match. Nobody has to click:
+them (match_000123), or a season (see track): OUT then has a folder a match with its table, and
+MATCH.npz and unsure/MATCH.npz instead of a file a frame. Nobody has to click:
 the camera is found from the paint in the picture. Frames that are annotated are passed over, unless
 --all.
 
@@ -56,17 +58,10 @@ probability that the camera is right, the reason, coverage (share of the visible
 explained (share of the paint on the field that is on the model), residual in px, margin (how much
 better than the next camera), standard deviations, seconds.
 
---known-positions CAMERAS: cameras of other frames of the match, or positions.csv of calibrate
---shared-position. They are searched in addition to all others, and never replace a
-better camera found without them. A position on which three frames or more agree, two of them sure,
-is known in a second search of those that are not sure.
-
---detector NAME uses a detector, too: a package that proposes cameras or labelled points for a
-picture (docs/examples/proposer_plugin). Where its cameras stand is searched, too; what is found
-there is made right and judged alike.
-
-A run that was stopped or killed goes on with --resume, in the same words: what was looked at is not
-looked at again, and the cameras are those of one run.
+Known positions are searched in addition to all others, and never replace a better camera found
+without them. A position on which three frames or more agree, two of them sure, is known in a second
+search of those that are not sure. A detector is a package that proposes cameras or labelled points
+for a picture (docs/examples/proposer_plugin).
 
 Exit code: 0; 1 if some pictures or annotations were unreadable (listed); 2 if there was nothing to
 do. A frame without a camera is no error.
@@ -141,10 +136,9 @@ class ProposeOptions:
 
 
 def propose(given: ProposeOptions) -> None:
-    def of_match(match: Match | None) -> None:
-        if match is None:
-            _propose(given)
-            return
+    require_existing(given.annotations, given.known)
+
+    def of_match(match: Match) -> None:
         field = replace(given.field_options, field=match.field or given.field_options.field)
         _propose(
             replace(
@@ -153,16 +147,14 @@ def propose(given: ProposeOptions) -> None:
                 out=given.out / match.name,
                 annotations=place_of_match(given.annotations, match),
                 field_options=field,
-            )
+            ),
+            packed=given.out if match.name else None,
         )
 
     for_each_match(given.dataset, of_match)
 
 
-def _propose(given: ProposeOptions) -> None:
-    for place in (given.annotations, given.known):
-        if place is not None and not place.exists():
-            raise UsageError(f"{place}: does not exist")
+def _propose(given: ProposeOptions, *, packed: Path | None) -> None:
     if given.detector is not None:
         chosen_proposer(given.detector)
     shown = given.field_options.of(given.dataset)
@@ -175,7 +167,7 @@ def _propose(given: ProposeOptions) -> None:
     )
     outputs.check_camera_folder(given.out, [pictures.path, given.known])
     if not (given.overwrite or going_on):
-        _require_free(given.out, pictures.frames)
+        _require_free(given.out, pictures.frames, packed=packed is not None)
     positions = (
         () if given.known is None else read_positions(given.known, shown, given.camera_format)
     )
@@ -203,14 +195,15 @@ def _propose(given: ProposeOptions) -> None:
         ) as executor,
     ):
         run.executor, run.kept = executor, kept
-        found = propose_for_set(run, given.out, with_progress)
+        found = propose_for_set(run, given.out, with_progress, packed=packed)
     raise typer.Exit(_report(found, wanted, pictures.problems, given.out))
 
 
-def _require_free(out: Path, frames: Sequence[Frame]) -> None:
+def _require_free(out: Path, frames: Sequence[Frame], *, packed: bool) -> None:
     names = [frame.name for frame in frames]
     there = any(outputs.holds_cameras(place, names) for place in (out, out / UNSURE_FOLDER))
-    if there or (out / TABLE_FILE).exists():
+    file = out.with_name(out.name + PACKED_SUFFIX)
+    if there or (packed and file.exists()) or (out / TABLE_FILE).exists():
         raise UsageError(
             f"{out}: holds cameras or their table already; choose another place, or --overwrite to"
             " replace them"

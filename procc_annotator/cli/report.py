@@ -29,7 +29,7 @@ from procc_annotator.dataset.annotation_source import open_annotations
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.layout import annotations_of, annotations_or_path
 from procc_annotator.dataset.workspace import Workspace
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import UsageError, require_existing
 from procc_annotator.field.model import Field
 from procc_annotator.figures.disagreement import DisagreementPainter
 from procc_annotator.formats.cameras.collection import CameraCollection
@@ -73,7 +73,9 @@ _COMPARED_FRAME = 20  # scored frames that take as long
 
 Dataset = Annotated[
     Path,
-    typer.Argument(help="Folder of pictures and annotations; or folder or zip of annotations."),
+    typer.Argument(
+        help="Folder of pictures and annotations, season, or folder or zip of annotations."
+    ),
 ]
 Output = Annotated[
     list[Path] | None,
@@ -273,9 +275,7 @@ def annotation_place(
 ) -> tuple[Path, dict[str, Path]]:
     """Return where the annotations of a dataset are, and its pictures by frame name; UsageError for
     no such dataset or folder, InputError for a folder that cannot be listed."""
-    for given in (dataset, annotations):
-        if given is not None and not given.exists():
-            raise UsageError(f"{given}: does not exist")
+    require_existing(dataset, annotations)
     dataset = annotations_or_path(dataset) if dataset.is_file() else dataset  # a video's frames
     if not dataset.is_dir():
         return annotations or dataset, {}

@@ -8,25 +8,23 @@ from typing import Annotated
 
 import typer
 
-from procc_annotator.batch.unit_store import FAILED, UnitStore
+from procc_annotator.batch.unit_store import SOURCE, MatchUnits, UnitStore
 from procc_annotator.cli import outputs, remarks
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.tracked_matches import unit_words
+from procc_annotator.cli.tracked_matches import set_aside
 from procc_annotator.dataset.remote_files import working_folder
-from procc_annotator.dataset.season import STORE_FILE
-from procc_annotator.errors import UsageError
+from procc_annotator.dataset.season import STORE_FILE, list_matches
+from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.report.page.status import status_bytes, status_kind
-from procc_annotator.report.tracking import season_table, season_words
+from procc_annotator.report.tracking import season_progress, season_table
 
 HELP = """\
 OUT is a folder that track writes to, or wrote to; the run may go on meanwhile. A row a match: its
-state, frames, frames tracked, frames with a camera, units of work done and set aside, frames per
-second of work in one process, mean share of the visible model on paint, when it last changed. Then
-how much is done, how fast it went in the last half hour, what is left, and the cost, if --price
-says what an hour of work in one process costs. Units that were set aside are listed with the
-reason.
+state, frames, units of work, frames per second of work in one process, mean share of the visible
+model on paint, when it last changed. Then how much is done, how fast it went in the last half hour,
+what is left, and units that were set aside, with the reason.
 
 Exit code: 0; 1 if units were set aside.
 """
@@ -36,14 +34,10 @@ EXAMPLE = """\
 """
 
 Out = Annotated[Path, typer.Argument(help="Folder that track writes to.")]
-
-
 Price = Annotated[
     float | None,
     typer.Option(min=0.0, metavar="COST", help="Of an hour of work in one process, for the costs."),
 ]
-
-
 Output = Annotated[
     list[Path] | None,
     typer.Option("--output", "-o", metavar="FILE", help="Write .html, .csv or .json; repeatable."),
@@ -56,11 +50,21 @@ def status(out: Out, price: Price = None, output: Output = None) -> None:
     if not (out / STORE_FILE).exists():
         raise UsageError(f"{out}: holds no {STORE_FILE} (expected a folder that track writes to)")
     with UnitStore.read(out / STORE_FILE) as store:
-        sheet, words = season_table(store.matches()), season_words(store, time.time(), price)
-        failed = [f"{unit_words(unit)}: {unit.error}" for unit in store.units(FAILED)]
+        matches = _listed(store)
+        sheet, progress = season_table(matches), season_progress(matches, store, time.time(), price)
+        failed = set_aside(store, {one.match for one in matches})
     stdout_console().print(sheet)
-    echo(words)
+    echo(progress[0])
     for file in files:
-        write_atomic(file, status_bytes(file, out.name, sheet, words, failed))
+        write_atomic(file, status_bytes(file, out.name, sheet, progress, failed))
         echo(f"written: {file}")
     raise typer.Exit(remarks.report_unreadable(failed, "set aside"))
+
+
+def _listed(store: UnitStore) -> list[MatchUnits]:
+    """The matches of the season as it is now; all, if it was moved."""
+    try:
+        names = {match.name for match in list_matches(Path(store.terms[SOURCE])) or ()}
+    except ProccError:
+        names = set()
+    return [one for one in store.matches() if one.match in names] or store.matches()

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 from contextlib import ExitStack
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Annotated
@@ -13,17 +12,10 @@ from typing import Annotated
 import typer
 
 from procc_annotator.batch.execution.executor import Executor, InProcess, make_executor
-from procc_annotator.batch.match_tracking import (
-    TrackedMatch,
-)
+from procc_annotator.batch.match_tracking import TrackedMatch
 from procc_annotator.batch.season_run import SeasonRun
 from procc_annotator.batch.tracking import TrackTask, ignore_progress
-from procc_annotator.batch.unit_store import (
-    DONE,
-    FAILED,
-    SOURCE,
-    UnitStore,
-)
+from procc_annotator.batch.unit_store import DONE, SOURCE, UnitStore, only_run
 from procc_annotator.calibration.tracking.shot_tracker import track_shot as follow_shot
 from procc_annotator.calibration.tracking.track import MIN_COVERAGE
 from procc_annotator.cli import options, outputs, remarks
@@ -34,11 +26,11 @@ from procc_annotator.cli.tracked_matches import (
     Progress,
     TrackedMatches,
     evidence_of,
-    unit_words,
+    set_aside,
 )
 from procc_annotator.dataset import remote_files
 from procc_annotator.dataset.season import STORE_FILE, Match, list_matches
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import UsageError, require_existing
 from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 from procc_annotator.messages import pluralize
 from procc_annotator.report.tracking import season_table
@@ -55,17 +47,11 @@ one is found in the picture, as propose does. Pieces of a shot hand their camera
 where none is found, one is looked for where those of the match's other shots stand, or those of
 earlier matches in the stadium.
 
-OUT gets MATCH.npz, which every command reads as cameras: of each frame the camera in px of the
-picture with its standard deviations, its shot, state (anchor; followed on paint; bridged by the
-picture's motion, where too little paint is seen; lost), why it should be checked, coverage (share
-of the visible model on paint), residual in px, frames to the nearest anchor (docs/season.md).
-convert writes a file a frame from it.
+OUT gets MATCH.npz, which every command reads as cameras; its columns are in docs/season.md. convert
+writes a file a frame from it.
 
 OUT/track.sqlite says which pieces are done: a run that was stopped or killed is started again to go
-on, with other workers too. A piece that failed three times is set aside and named; --only failed
-tries those again, --only doubtful those with little of their lines on paint.
-
---from FRAME follows only the shot of that frame (its name or number), in both directions.
+on, with other workers too. A piece that failed three times is set aside and named.
 
 Exit code: 0; 1 if some pictures, annotations or cameras were unreadable (listed); 2 if there was
 nothing to do. A frame that is lost is no error.
@@ -100,15 +86,14 @@ From = Annotated[
     str | None, typer.Option("--from", metavar="FRAME", help="Follow only the shot of this frame.")
 ]
 Workers = Annotated[
-    int | None,
-    typer.Option("--workers", min=1, metavar="N", help="Processes that share the work."),
+    int | None, typer.Option("--workers", min=1, metavar="N", help="Processes that share the work.")
 ]
 ONLY = ("missing", "failed", "doubtful")
 Only = Annotated[
     str,
     typer.Option(
         metavar="|".join(ONLY),
-        help="Pieces to track: missing ones; besides these failed, or doubtful ones.",
+        help="Pieces to track: missing ones; also those that failed, or with few lines on paint.",
     ),
 ]
 LOGS = ("text", "json")
@@ -142,12 +127,10 @@ def track(
     for option, value, known in ("only", only, ONLY), ("log", log, LOGS):
         if value not in known:
             raise UsageError(f"--{option} {value}: expected {', '.join(known)}")
-    for given in (annotations, cameras):
-        if given is not None and not given.exists():
-            raise UsageError(f"{given}: does not exist")
+    require_existing(annotations, cameras)
     if cache is not None:
         os.environ[remote_files.CACHE_VARIABLE] = str(cache.absolute())
-    season = list_matches(source)
+    season = list_matches(source, lambda text: remarks.report_remarks([text]))
     name = source.name if source.is_dir() else remote_files.file_name(source).stem
     matches = season or (Match(name, source),)
     if season and begin is not None:
@@ -164,16 +147,17 @@ def track(
     if not overwrite:
         _require_free(out, matches, store_file)
     terms = {SOURCE: remote_files.url_of(source) or str(source.absolute())}
-    asked = _Asked(only, log, bool(annotations or cameras), url)
     with (
         ExitStack() as at_end,
+        only_run(out),
         UnitStore(store_file, terms, resume=not overwrite) as store,
         make_executor(workers or (None if dask else 1), dask) as executor,
         progress_bar("following") as progress,
     ):
         at_end.callback(remote_files.upload, url, STORE_FILE)
-        _track_matches(tracking, store, executor, progress, asked)
-        failed = [f"{unit_words(unit)}: {unit.error}" for unit in store.units(FAILED)]
+        has_anchors = bool(annotations or cameras)
+        _track_matches(tracking, store, executor, progress, only, log, has_anchors, url)
+        failed = set_aside(store, tracking.matches)
         if season:
             listed = [one for one in store.matches() if one.match in tracking.matches]
             stdout_console().print(season_table(listed))
@@ -185,42 +169,31 @@ def track(
     raise typer.Exit(max(unreadable, remarks.report_unreadable(failed, "set aside")))
 
 
-@dataclass(frozen=True)
-class _Asked:
-    """Options of a run: which units, how it logs, whether anchors are given, where OUT is."""
-
-    only: str
-    log: str
-    has_anchors: bool
-    url: Path
-
-
 def _track_matches(
     tracking: TrackedMatches,
     store: UnitStore,
     executor: Executor,
     progress: Progress,
-    asked: _Asked,
+    only: str,
+    log: str,
+    has_anchors: bool,
+    out: Path,
 ) -> None:
-    """Track the matches that are left, and write each when it is done."""
+    """Track the matches that are left, and write each to OUT, which may be a URL, when it is
+    done."""
     store.restart(
-        failed=asked.only == "failed",
-        evidence_below=MIN_COVERAGE if asked.only == "doubtful" else None,
+        failed=only == "failed", evidence_below=MIN_COVERAGE if only == "doubtful" else None
     )
     in_process = isinstance(executor, InProcess)
     task = TrackTask(
         tracking.fields, follow_shot, tracking.on_frame(progress) if in_process else ignore_progress
     )
     run = SeasonRun[TrackedMatch](
-        task,
-        store,
-        executor,
-        evidence_of,
-        partial(tracking.attempted, progress, in_process, asked.log),
+        task, store, executor, evidence_of, partial(tracking.attempted, progress, in_process, log)
     )
     try:
         done = {one.match for one in store.matches() if one.state == DONE}
-        done = set() if asked.only != "missing" or asked.has_anchors else done
+        done = set() if only != "missing" or has_anchors else done
         stadiums = {
             match.name: match.stadium
             for match in tracking.matches.values()
@@ -228,7 +201,7 @@ def _track_matches(
         }
         for name, found in run.run(stadiums, partial(tracking.begin, store), tracking.recover):
             tracking.write(store, name, found)
-            remote_files.upload(asked.url, f"{name}{PACKED_SUFFIX}")
+            remote_files.upload(out, f"{name}{PACKED_SUFFIX}")
             remote_files.remove_copies(tracking.matches[name].pictures)
     except KeyboardInterrupt:
         raise KeyboardInterrupt(

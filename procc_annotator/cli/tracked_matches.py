@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Container, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -21,7 +21,14 @@ from procc_annotator.batch.match_tracking import (
 )
 from procc_annotator.batch.season_run import Attempt, Plan
 from procc_annotator.batch.tracking import TRACK, UNREADABLE, TrackUnit
-from procc_annotator.batch.unit_store import DONE, Unit, UnitStore, field_settings, hex_digest
+from procc_annotator.batch.unit_store import (
+    DONE,
+    FAILED,
+    Unit,
+    UnitStore,
+    field_settings,
+    hex_digest,
+)
 from procc_annotator.calibration.single_image.proposal import KnownPosition
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.cli import options, remarks
@@ -240,6 +247,12 @@ def unit_words(unit: Unit) -> str:
     numbers = _NUMBERS.search(unit.key)
     frames = f" of frames {numbers[1]} to {int(numbers[2]) - 1}" if numbers else ""
     return f"{unit.match}: {unit.kind}{frames}"
+
+
+def set_aside(store: UnitStore, matches: Container[str]) -> list[str]:
+    """The units of some matches that were set aside, one line each."""
+    failed = (unit for unit in store.units(FAILED) if unit.match in matches)
+    return [f"{unit_words(unit)}: {unit.error}" for unit in failed]
 
 
 def evidence_of(result: Any) -> tuple[float | None, int]:

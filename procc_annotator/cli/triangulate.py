@@ -35,7 +35,7 @@ from procc_annotator.dataset.landmarks.view_groups import (
 )
 from procc_annotator.dataset.layout import VIEWS_FILE, annotations_of, folder_of_dataset
 from procc_annotator.dataset.picture_sizes import PictureSizes
-from procc_annotator.errors import UsageError
+from procc_annotator.errors import UsageError, require_existing
 from procc_annotator.field.formulas import did_you_mean
 from procc_annotator.field.landmarks import with_landmarks
 from procc_annotator.field.model import Field
@@ -162,8 +162,7 @@ def target_file(dataset: Path, output: Path | None) -> Path:
             raise UsageError(f"{output}: landmarks are written as .json, end the name so")
         outputs.check_output_folder(output)
         return output
-    if not dataset.exists():
-        raise UsageError(f"{dataset}: does not exist")
+    require_existing(dataset)
     folder = folder_of_dataset(dataset)
     if folder is None:
         raise UsageError(f"{dataset}: is an archive, name a file for the landmarks with --output")
@@ -177,8 +176,7 @@ def chosen_view_groups(
         raise UsageError("--views and --pattern both say when frames were taken: choose one")
     if pattern is not None:
         return groups_by_name(list_annotations(source), pattern)
-    if views is not None and not views.exists():
-        raise UsageError(f"{views}: does not exist")
+    require_existing(views)
     return own if views is None else load_views(views)
 
 

@@ -5,7 +5,7 @@ reference frames.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from functools import partial
@@ -16,6 +16,7 @@ from procc_annotator.dataset.diagnostics import refuse_other_content
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.layout import annotations_of, find_pictures, folder_of_dataset
 from procc_annotator.dataset.picture_sizes import PictureSizes, size_in_annotation
+from procc_annotator.dataset.season import Match, annotated_matches
 from procc_annotator.errors import AnnotationError, InputError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.exchange import ExchangedFrame
@@ -35,6 +36,7 @@ from procc_annotator.formats.file_source import (
     OpenedSource,
     from_base,
     open_source,
+    read_file,
     read_optional,
 )
 from procc_annotator.messages import pluralize
@@ -81,14 +83,44 @@ def open_files(path: Path, base: Path | None = None) -> FileSource:
     Where their only folder is called like one that pictures of their dataset, a tree, lie in,
     frames are called by their paths as those of the tree are.
 
-    Args, Raises: as of `open_source`.
+    Args, Raises: as of `open_source`; and of `annotated_matches`.
     """
+    if matches := annotated_matches(from_base(base, path)):
+        return SeasonSource(path, matches)
     source = open_source(path, base)
     if isinstance(source, FolderSource):
         folder, slash, _ = next(iter(source.files()), "").rpartition("/")
         root = folder_of_dataset(from_base(base, path)) if slash else None
         source.of_tree = root is not None and find_pictures(root).has(folder + slash)
     return source
+
+
+class SeasonSource(OpenedSource):
+    """Annotations of the matches of a season, as files of a tree: ``MATCH/FRAME.json``."""
+
+    def __init__(self, path: Path, matches: Sequence[tuple[Match, Path]]) -> None:
+        self.path = path
+        self._files: dict[str, Path] = {}
+        for match, place in matches:
+            found = list_annotations(FolderSource(place))
+            self.notices += tuple(f"{match.name}: {notice}" for notice in found.notices)
+            self._files |= {f"{match.name}/{own}{_SUFFIX}": place / f for own, f in found.items()}
+        self.decoded = tuple(map(str, self._files.values()))
+
+    def files(self) -> list[str]:
+        return list(self._files) if len({*map(os.path.dirname, self._files)}) == 1 else []
+
+    def tree(self) -> list[str]:
+        return list(self._files)
+
+    def read(self, name: str) -> bytes:
+        return read_file(self._files[name])
+
+    def display(self, name: str) -> str:
+        return str(self._files[name])
+
+    def opener(self, base: Path) -> Callable[[], FileSource]:
+        return partial(open_files, self.path, base)
 
 
 def read_labels(path: Path, field: Field) -> ReadSet:

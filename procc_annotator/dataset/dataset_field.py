@@ -14,11 +14,13 @@ import msgspec
 
 from procc_annotator.dataset.database.location import read_settings
 from procc_annotator.dataset.layout import FIELD_FILE, STADIUMS_FILE, folder_of_dataset
+from procc_annotator.dataset.season import annotated_matches
 from procc_annotator.errors import FieldError, ImageError, InputError, UsageError
 from procc_annotator.field.formulas import did_you_mean
 from procc_annotator.field.load import (
     is_builtin_field,
     load_field,
+    load_field_of,
     with_dimensions,
     with_lines,
     with_stadiums,
@@ -331,7 +333,12 @@ def field_of_datasets(places: Iterable[Path]) -> DatasetField:
         FieldError: a dataset's field cannot be used.
         UsageError: they show different fields.
     """
-    found = {place: field_of_dataset(place) for place in dict.fromkeys(places)}
+    found = dict[Path, DatasetField]()
+    for place in dict.fromkeys(places):
+        found[place] = field_of_dataset(place)
+        for match, folder in annotated_matches(place):
+            named = DatasetField(load_field_of(match.field), True) if match.field else None
+            found[folder] = named or field_of_dataset(folder)
     notices = tuple(dict.fromkeys(n for one in found.values() for n in one.notices))
     said = {place: one.field for place, one in found.items() if one.chosen}
     if not said:

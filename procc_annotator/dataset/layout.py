@@ -170,7 +170,7 @@ FRAMES_FILE = "frames.csv"
 STADIUMS_FILE = "stadiums.csv"
 
 _LOOKED_INTO = 20
-_ANNOTATION_SUFFIXES = (".zip", ".json", ".xml")
+_ANNOTATION_SUFFIXES = (".zip", ".json", ".xml", ".csv")
 OWN_FILES_AND_FOLDERS = (
     FIELD_FILE,
     LABELS_FILE,
@@ -244,24 +244,22 @@ def _has_own_files(folder: Path) -> bool:
 
 def annotations_of(dataset: Path) -> Path:
     """Return where the annotations of a dataset are: in its ``annotations/`` if that holds any, or
-    in it; for a video, or a folder of one, in ``match_frames/`` next to ``match.mp4``.
+    in it; for a video, or a folder of one, in ``match_frames/`` next to ``match.mp4``; of a season,
+    it is itself: its matches say.
 
     Args:
         dataset: a folder of pictures and annotations, a folder or archive of annotations alone, an
             annotation, or a video.
 
     Raises:
-        UsageError: a file of another kind, a video without annotations, or a folder of several
-            videos with theirs.
+        UsageError: a file of another kind, or a video without annotations.
     """
     if dataset.is_file():
         return _annotations_of_file(dataset)
     found = annotated_videos(dataset)
-    if len(found) > 1:
-        names = ", ".join(str(folder) for folder in found)
-        raise UsageError(f"{dataset}: holds the annotations of several videos, name one: {names}")
     if found:
-        return found[0]
+        suffixes = [suffix_of(name) for _, names in walk(dataset) for name in names]
+        return found[0] if sum(map(VIDEO_SUFFIXES.__contains__, suffixes)) == 1 else dataset
     inner = dataset / ANNOTATIONS_FOLDER
     if holds_annotations(inner) or _holds(inner, ".xml"):
         return inner
@@ -272,7 +270,7 @@ def annotations_of(dataset: Path) -> Path:
 
 def annotations_or_path(place: Path) -> Path:
     """`annotations_of` a folder or an annotated video; anything else is itself: what it holds is
-    reported where it is read. `UsageError` for a folder of several videos with annotations."""
+    reported where it is read."""
     if place.is_dir():
         return annotations_of(place)
     beside = frames_folder(place) if place.suffix.lower() in VIDEO_SUFFIXES else None

@@ -11,12 +11,15 @@ from pathlib import Path
 from typing import Generic, NamedTuple, TypeVar
 
 from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.dataset.frames import video_frame
 from procc_annotator.dataset.layout import (
     find_pictures,
     frames_folder,
     has_pictures_below,
     is_known_dataset,
+    json_stems,
 )
+from procc_annotator.dataset.season import annotated_matches
 from procc_annotator.errors import ImageError
 from procc_annotator.formats.annotations.exchange import Size
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER
@@ -217,18 +220,18 @@ class FitSizes:
             dataset: as the user named it.
             annotations: what the annotations are read from.
             frames: their names; one without a picture is taken to have the size of the first
-                picture that there is, or of the video that the frames are of.
+                picture that there is.
         """
         dataset, annotations = dataset.absolute(), annotations.absolute()
-        sizes = map(PictureSizes.around(dataset, annotations).size, frames)
+        sizes = map(_with_videos(dataset, annotations).size, frames)
         first = next((s for s in sizes if s is not None), None)
-        return cls(asked, dataset, annotations, first or _size_of_video(annotations))
+        return cls(asked, dataset, annotations, first)
 
     @cached_property
     def _pictures(self) -> PictureSizes:
         if self.dataset is None or self.annotations is None:
             return PictureSizes([])
-        return PictureSizes.around(self.dataset, self.annotations)
+        return _with_videos(self.dataset, self.annotations)
 
     def picture_of(self, name: str) -> Path | None:
         """The picture of a frame, if there is one."""
@@ -246,6 +249,21 @@ class FitSizes:
         return FrameSize(DEFAULT_SIZE if picture is None else fit_size_for(picture), picture)
 
 
+def _with_videos(dataset: Path, annotations: Path) -> PictureSizes:
+    """As `PictureSizes.around`, with the annotated frames of a video or of those of a season."""
+    found = PictureSizes.around(dataset, annotations)
+    videos = [(f"{match.name}/", match.pictures) for match, _ in annotated_matches(annotations)]
+    beside = annotations.parent.iterdir()
+    videos += [("", path) for path in beside if frames_folder(path) == annotations]
+    for folder, path in videos:
+        is_video = path.suffix.lower() in VIDEO_SUFFIXES
+        for stem in json_stems(frames_folder(path)) if is_video else ():
+            if (number := stem.removeprefix(f"{path.stem}_")).isdecimal():
+                picture = video_frame(path, int(number)).image_path
+                found._paths.setdefault(folder + stem, picture)
+    return found
+
+
 def pictures_of_another_shape(
     annotations: Path, frames: Sequence[str], sizes: Iterable[Size]
 ) -> list[str]:
@@ -260,24 +278,6 @@ def pictures_of_another_shape(
         for picture in list(found)[:_MAX_REPORTED]
         if not same_shape(picture, size)
     ]
-
-
-def _size_of_video(annotations: Path) -> Size | None:
-    """(width, height) px of the video next to its folder of annotations, if it is one."""
-    from procc_annotator.image.video import Video  # OpenCV: most sets do without
-
-    videos = (
-        path
-        for path in sorted(annotations.parent.iterdir())
-        if path.suffix.lower() in VIDEO_SUFFIXES and frames_folder(path) == annotations
-    )
-    for video in videos:
-        try:
-            with Video.open(video) as opened:
-                return opened.size
-        except ImageError:  # not one that can be read: its shape stays unknown
-            continue
-    return None
 
 
 def size_in_annotation(annotation: FrameAnnotation) -> Size | None:

@@ -175,10 +175,7 @@ class PendingSave:
         found = self.check()
         if found is not None and not self._is_known(found):  # the same words of somebody else
             raise ChangedOnDiskError(f"{self.path}: changed on disk meanwhile, not removed")
-        try:
-            remove(self.path)
-        except OSError as error:
-            raise SaveError(f"{self.path}: could not be removed: {error.strerror}") from error
+        remove(self.path)
 
 
 @dataclass(frozen=True)

@@ -4,21 +4,30 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from natsort import natsorted
 
-from procc_annotator.dataset.layout import find_pictures, frames_folder
+from procc_annotator.dataset.layout import (
+    annotations_of,
+    find_pictures,
+    frames_folder,
+    holds_annotations,
+    json_names,
+)
 from procc_annotator.dataset.remote_files import file_name, local_path, url_of
-from procc_annotator.errors import InputError, UsageError
+from procc_annotator.errors import InputError, ProccError, require_existing
+from procc_annotator.field.load import load_field_of
 from procc_annotator.formats.csv_tables import read_table
+from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER
 from procc_annotator.formats.file_source import suffix_of, walk
 from procc_annotator.formats.frame_names import is_file_name
 from procc_annotator.image.archive import ARCHIVE_SUFFIXES
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
+from procc_annotator.regular_file import read_head
 
 FEWEST_PICTURES = 10  # of a match: fewer are posters and logos
 STORE_FILE = "track.sqlite"  # in the folder that track writes to
@@ -61,13 +70,16 @@ def kinds_met_first(path: Path) -> frozenset[str]:
     return frozenset()
 
 
-def list_matches(path: Path) -> tuple[Match, ...] | None:
+def list_matches(
+    path: Path, remark: Callable[[str], None] = lambda _: None
+) -> tuple[Match, ...] | None:
     """The matches of a season; None for a single one: a video, a folder of pictures, with fewer
     videos beside them, or of folders of pictures alone.
 
     Args:
         path: folder in which videos, archives and folders of pictures lie, at any depth, or a
             ``.csv`` that lists them, relative to its own folder; or a URL.
+        remark: called with what a person should know of a list.
 
     Raises:
         UsageError: nothing there.
@@ -75,12 +87,33 @@ def list_matches(path: Path) -> tuple[Match, ...] | None:
     """
     if url_of(path):
         is_list = file_name(path).suffix.lower() == ".csv"
-        return tuple(_in_list(local_path(path), path.parent)) if is_list else None
-    if not path.exists():
-        raise UsageError(f"{path}: does not exist")
+        return tuple(_in_list(local_path(path), path.parent, remark)) if is_list else None
+    require_existing(path)
     if path.is_dir():
         return _in_tree(path)
-    return tuple(_in_list(path, path.parent)) if path.suffix.lower() == ".csv" else None
+    return tuple(_in_list(path, path.parent, remark)) if path.suffix.lower() == ".csv" else None
+
+
+def annotated_matches(path: Path) -> list[tuple[Match, Path]]:
+    """The annotated matches of a season, each with the folder of its annotations: ``match_frames``
+    next to ``match.mp4``. None of a single match, or of a folder with annotations of its own.
+
+    Raises:
+        UsageError, InputError: as of `list_matches`.
+    """
+    is_csv = path.suffix.lower() == ".csv" and path.is_file()
+    if path.is_dir():
+        if any(json_names(place) for place in (path, path / ANNOTATIONS_FOLDER)):
+            return []
+    elif not is_csv or b"video" not in read_head(path, 4096).partition(b"\n")[0]:  # points of VIA
+        return []
+    found = []
+    for match in list_matches(path) or ():
+        is_folder = match.pictures.is_dir()
+        place = annotations_of(match.pictures) if is_folder else frames_folder(match.pictures)
+        if holds_annotations(place):
+            found.append((match, place))
+    return found
 
 
 def _in_tree(root: Path) -> tuple[Match, ...] | None:
@@ -93,7 +126,7 @@ def _in_tree(root: Path) -> tuple[Match, ...] | None:
     for folder, below, files in os.walk(root, onerror=refused):
         below[:] = [name for name in below if not name.startswith(".")]
         for name in files:
-            suffix = "" if name.startswith(".") else Path(name).suffix.lower()
+            suffix = "" if name.startswith(".") else suffix_of(name)
             if suffix in VIDEO_SUFFIXES or _holds_pictures(Path(folder, name), suffix):
                 found.append(Path(folder, name))
             elif suffix in PICTURE_SUFFIXES:
@@ -119,9 +152,12 @@ def _holds_pictures(path: Path, suffix: str) -> bool:
         return True
 
 
-def _in_list(path: Path, folder: Path) -> Iterator[Match]:
-    _, rows = read_table(path, ("video",), _EXPECTED)
+def _in_list(path: Path, folder: Path, remark: Callable[[str], None]) -> Iterator[Match]:
+    names, rows = read_table(path, ("video",), _EXPECTED)
+    if others := [name for name in names if name not in COLUMNS]:
+        remark(f"{path}: columns left out: {', '.join(others)} (known: {', '.join(COLUMNS)})")
     lines: dict[str, int] = {}
+    fields = {""}  # that can be used
     for line, row in rows:
         cells = {name: row.get(name, "").strip() for name in COLUMNS}
         place = f"line {line}"
@@ -137,6 +173,12 @@ def _in_list(path: Path, folder: Path) -> Iterator[Match]:
         if not all(map(is_file_name, parts)):
             why = f"match {name!r} is no name of a file on every system"
             raise InputError(path, why, place=place)
+        if cells["field"] not in fields:
+            try:
+                load_field_of(cells["field"])
+            except ProccError as error:
+                raise InputError(path, f"field: {error}", place=place) from error
+            fields.add(cells["field"])
         lines[name.casefold()] = line
         yield Match(name, video, cells["stadium"], cells["field"], cells["start"])
     if not lines:

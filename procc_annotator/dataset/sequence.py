@@ -23,7 +23,7 @@ from procc_annotator.dataset.frames import Frame, list_frames, video_frame
 from procc_annotator.dataset.layout import frames_folder
 from procc_annotator.dataset.remote_files import local_path
 from procc_annotator.dataset.workspace import Workspace
-from procc_annotator.errors import ImageError, SaveError, UsageError
+from procc_annotator.errors import ImageError, SaveError, UsageError, require_existing
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LabelMap
 from procc_annotator.formats.atomic import write_atomic
@@ -109,8 +109,7 @@ def open_pictures(path: Path, annotations: Path | None = None) -> PictureSource:
     """
     path = local_path(path)
     whole = Path(os.path.abspath(path))
-    if not path.exists():
-        raise UsageError(f"{path}: does not exist")
+    require_existing(path)
     if path.is_file() and path.suffix.lower() in VIDEO_SUFFIXES:
         video = open_shared_video(path)
         frames = tuple(video_frame(whole, number) for number in range(video.frame_count))

@@ -193,9 +193,12 @@ def remove(path: Path) -> None:
     """Remove a file, if there is one, and have the disk keep that it is gone.
 
     Raises:
-        OSError: it could not be removed.
+        SaveError: it could not be removed.
     """
-    path.unlink(missing_ok=True)
+    try:
+        path.unlink(missing_ok=True)
+    except OSError as error:
+        raise SaveError(f"{path}: could not be removed: {error.strerror or error}") from error
     _sync_folder(path.parent)
 
 

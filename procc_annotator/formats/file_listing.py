@@ -126,6 +126,7 @@ def _content(source: FileSource, file: str) -> Any:
 CAMERA_PREFIX = "camera_"
 _ENDING = ".json"
 _JSON = frozenset({".json", ".jsonl"})
+_PACKED = ".npz"
 _STORAGE = frozenset({".yml", ".yaml", ".xml"})
 _HOMOGRAPHY_ENDING = "_homography"
 # What this program writes next to annotations; a frame cannot have these names.
@@ -136,6 +137,7 @@ OWN_FILES = frozenset({"jac.json", "procc.json", MANIFEST_FILE, LANDMARKS_FILE})
 # A folder with this name belongs to the one it lies in: its files are of that one's frames.
 ANNOTATIONS_FOLDER = "annotations"
 CAMERAS_FOLDER = "cameras"
+UNSURE_FOLDER = "unsure"  # of cameras that are looked at before they are used
 
 
 def files_of(source: FileSource, wanted: Callable[[str], bool]) -> tuple[list[str], bool]:
@@ -263,6 +265,10 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
         return suffix in suffixes and name not in OWN_FILES and not other
 
     names, in_tree = files_of(source, wanted)
+    if names and all(name.endswith(_PACKED) for name in names):  # of a season, at any depth
+        names = [name for name in source.tree() if name.endswith(_PACKED)]
+        in_tree = in_tree or any("/" in name for name in names)
+    names = [name for name in names if f"/{UNSURE_FOLDER}/" not in f"/{name}"]
     if not names and fmt == "auto":
         alone = [name for name in source.files() if splitext(name)[1].lower() in ALONE_SUFFIXES]
         names, in_tree = (alone, False) if len(alone) == 1 else (names, in_tree)

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 
 from procc_annotator.batch.calibration import camera_file
 from procc_annotator.batch.camera_proposals import ProposalRun, Proposed, second_pass
+from procc_annotator.batch.tracking import pack
 from procc_annotator.calibration.single_image.proposal import (
     NONE,
     PROPOSAL_STATES,
@@ -18,9 +19,10 @@ from procc_annotator.calibration.single_image.proposal import (
     UNSURE,
     KnownPosition,
 )
-from procc_annotator.errors import SaveError
+from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.formats.atomic import make_folder, remove, write_atomic
-from procc_annotator.formats.file_listing import camera_name
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
+from procc_annotator.formats.file_listing import UNSURE_FOLDER, camera_name
 from procc_annotator.messages import pluralize
 from procc_annotator.report.calibration import DEVIATION_COLUMNS, deviation_values
 from procc_annotator.report.outputs import Interrupted
@@ -37,7 +39,6 @@ from procc_annotator.report.tables.table import (
 )
 
 TABLE_FILE = "proposals.csv"
-UNSURE_FOLDER = "unsure"
 _COLUMNS = (
     Column("frame"),
     Column("state"),
@@ -77,7 +78,9 @@ class ProposedSet:
         return Counter(one.proposal.state for one in self.frames if one.proposal is not None)
 
 
-def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> ProposedSet:
+def propose_for_set(
+    run: ProposalRun, out: Path, progress: Progress, *, packed: Path | None = None
+) -> ProposedSet:
     """Look at all pictures of a set, once more at those without a sure camera where the others
     agree where it stands, and write cameras and table.
 
@@ -86,6 +89,8 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposed
 
     Args:
         out: folder; made if needed.
+        packed: folder above, in which the cameras go to ``OUT.npz`` and ``unsure/OUT.npz``, at the
+            end; None for a file a frame.
 
     Raises:
         SaveError: writing failed.
@@ -95,26 +100,32 @@ def propose_for_set(run: ProposalRun, out: Path, progress: Progress) -> Proposed
     positions: tuple[KnownPosition, ...] = ()
     written: set[str] = set()
     make_folder(out)
+
+    def keep(one: Proposed) -> None:
+        found[one.name] = one
+        if one.is_sure and packed is None:
+            written.add(_write_camera(one, out))
+
     try:
         for one in progress(run, run.total, "proposing"):
-            found[one.name] = one
-            if one.is_sure:
-                written.add(_write_camera(one, out))
+            keep(one)
         again = second_pass(run, list(found.values()))
         if again is not None:
             positions = again.positions
             for one in progress(again.run, again.run.total, "proposing, positions known"):
-                found[one.name] = better = again.better(one)
-                if better.is_sure:
-                    written.add(_write_camera(better, out))
+                keep(again.better(one))
     except KeyboardInterrupt:
         raise Interrupted(len(written), run.total) from None
     frames = [found[name] for name in run.names]
-    for one in frames:
+    if packed is not None:
+        _write_packed(frames, out, sure=True)
+        _write_packed(frames, packed / UNSURE_FOLDER / out.relative_to(packed), sure=False)
+    for one in frames if packed is None else ():
         if not one.is_sure and one.proposal is not None and one.proposal.fit.camera is not None:
             written.add(_write_camera(one, out))
     _remove_older(out, run.names, written)
-    table = MetricTable("proposals", "", _COLUMNS, tuple(map(_row, frames)))
+    rows = (_row(one, "" if packed is not None else _file_of(one)) for one in frames)
+    table = MetricTable("proposals", "", _COLUMNS, tuple(rows))
     write_atomic(out / TABLE_FILE, csv_bytes(table))
     return ProposedSet(frames, positions)
 
@@ -136,21 +147,32 @@ def _write_camera(one: Proposed, out: Path) -> str:
     return _file_of(one)
 
 
+def _write_packed(frames: Sequence[Proposed], out: Path, *, sure: bool) -> None:
+    """Write the cameras of frames that are sure, or that are not; a shot is not known."""
+    tracked = [
+        TrackedFrame(n, "lost", "", p.fit if p and one.is_sure == sure else None,
+                     p.coverage if p else 0.0, p.residual_px if p else None, None,
+                     probability=p.probability if p else None)
+        for n, (one, p) in enumerate((one, one.proposal) for one in frames)
+    ]  # fmt: skip
+    names = tuple(one.name for one in frames)
+    cameras = pack(tracked, names, names, np.full(len(names), np.nan))
+    _, states, reasons, *_ = zip(*(_row(one, "") for one in frames), strict=True)
+    cameras = replace(cameras, state=states, reason=reasons)
+    make_folder(out.parent)
+    write_atomic(out.with_name(out.name + PACKED_SUFFIX), cameras.encoded())
+
+
 def _remove_older(out: Path, names: Iterable[str], written: set[str]) -> None:
     """Remove cameras of these frames from before: one that was sure then may be unsure now."""
     for name in names:
         own = camera_name(name)
         for file in (own, f"{UNSURE_FOLDER}/{own}"):
-            path = out / file
-            if file in written or not path.exists():
-                continue
-            try:
-                remove(path)
-            except OSError as error:
-                raise SaveError(f"{path}: could not be removed: {error.strerror}") from error
+            if file not in written and (out / file).exists():
+                remove(out / file)
 
 
-def _row(one: Proposed) -> Row:
+def _row(one: Proposed, file: str) -> Row:
     said = one.proposal
     if said is None:
         return (one.name, "unreadable", one.error, *[None] * (len(_COLUMNS) - 3))
@@ -160,7 +182,7 @@ def _row(one: Proposed) -> Row:
     return (
         one.name, said.state, said.reason, *agreement, round(said.margin, 4),
         *deviation_values(said.fit.deviations), round(one.seconds, 3), *said.fit.size,
-        _file_of(one), one.from_agreement,
+        file, one.from_agreement,
     )  # fmt: skip
 
 

@@ -14,9 +14,8 @@ from typing import IO, Any, Protocol, cast
 
 from procc_annotator.errors import ProccError, SaveError
 from procc_annotator.formats.atomic import make_folder, open_replacing, write_atomic
+from procc_annotator.formats.cameras.writers import zip_entry
 from procc_annotator.formats.strict_json import is_unicode, printable
-
-_ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same dataset gives the same archive
 
 
 class Interrupted(KeyboardInterrupt):
@@ -94,10 +93,7 @@ def _zip_entry(name: str) -> zipfile.ZipInfo:
             f"{printable(name)}: cannot be written to an archive: is no valid Unicode; rename the"
             " file it is of, or write to a folder"
         )
-    entry = zipfile.ZipInfo(name, _ZIP_DATE)
-    entry.compress_type = zipfile.ZIP_DEFLATED
-    entry.external_attr = 0o644 << 16
-    return entry
+    return zip_entry(name)
 
 
 class _Output(io.RawIOBase):

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.layout import STADIUMS_FILE
 from procc_annotator.dataset.picture_sizes import PictureSizes, picture_size
-from procc_annotator.errors import ImageError, InputError, SaveError, UsageError, printable
+from procc_annotator.errors import ImageError, InputError, UsageError, printable
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.registry import read_plain
 from procc_annotator.formats.atomic import remove
@@ -262,10 +262,7 @@ def write_release(
         for name, data in own.items():
             target.write(name, data)
     for name in older - written:
-        try:
-            remove(out / name)
-        except OSError as error:
-            raise SaveError(f"{out / name}: could not be removed: {error.strerror}") from error
+        remove(out / name)
     return changes
 
 

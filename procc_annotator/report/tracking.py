@@ -108,10 +108,11 @@ def _clock(time_s: float) -> str:
     return time.strftime("%Y-%m-%d %H:%M", time.localtime(time_s))
 
 
-def season_words(store: UnitStore, now: float, price: float | None = None) -> str:
+def season_progress(
+    matches: Sequence[MatchUnits], store: UnitStore, now: float, price: float | None
+) -> tuple[str, dict[str, float | None]]:
     """How much is done ``now`` (seconds since 1970), how fast it goes, what is left, and what it
-    costs at the price of an hour of work in one process."""
-    matches = store.matches()
+    costs at the price of an hour of work in one process: in words, and as numbers by name."""
     done, failed = (sum(one.progress == state for one in matches) for state in (DONE, FAILED))
     tracked, seconds = sum(m.frames_tracked for m in matches), sum(m.seconds for m in matches)
     wanted = [one for one in matches if one.progress != FAILED]
@@ -119,22 +120,28 @@ def season_words(store: UnitStore, now: float, price: float | None = None) -> st
     total = sum(opened) + (len(wanted) - len(opened)) * sum(opened) / max(len(opened), 1)
     left = max(total - tracked, 0.0) if done + failed < len(matches) else 0.0
     about = "about " if len(opened) < len(wanted) else ""
+    total = max(total, tracked)
     said = [
         f"{done} of {pluralize(len(matches), 'match', 'matches')} done, {tracked} of"
-        f" {about}{max(total, tracked):.0f} frames tracked"
+        f" {about}{total:.0f} frames tracked"
     ]
     if failed:
         said[0] += f", {pluralize(failed, 'match', 'matches')} failed"
     recent, since = store.tracked_since(now - _RECENT_S)
-    if recent and left:
-        speed = recent / max(now - since, 1.0)
+    speed = recent / max(now - since, 1.0) if recent and left else None
+    if speed:
         said.append(f"{speed:.1f} frames/s, about {_duration(left / speed)} left")
     hours = seconds / 3600
     to_come = left / tracked * hours if tracked else 0.0
     said.append(f"{hours:.1f} hours of work in one process, about {to_come:.1f} to come")
     if price is not None:
         said.append(f"cost {hours * price:.2f}, about {to_come * price:.2f} to come")
-    return "; ".join(said)
+    return "; ".join(said), {
+        "matches": len(matches), "matches_done": done, "matches_failed": failed,
+        "frames": round(total), "frames_tracked": tracked, "frames_per_s": speed,
+        "seconds_left": left / speed if speed else None, "hours": hours, "hours_left": to_come,
+        "cost": price and hours * price, "cost_left": price and to_come * price,
+    }  # fmt: skip
 
 
 def _duration(seconds: float) -> str:

@@ -17,6 +17,8 @@ from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.load import load_field
 from procc_annotator.field.model import Field
+from procc_annotator.formats.cameras.collection import CameraCollection
+from procc_annotator.formats.cameras.packed import read_packed
 from tests.cli.conftest import PANS, SIZE, Dataset, rows_in, write_dataset
 from tests.drawn_shots import draw, looking_at, stage_of
 
@@ -37,7 +39,7 @@ class Pretended:
         known: what it was told of positions each time.
     """
 
-    said: list[Proposal]
+    said: list[Proposal | KeyboardInterrupt]
     known: list[tuple[KnownPosition, ...]] = field(default_factory=list)
 
     def __call__(
@@ -45,7 +47,10 @@ class Pretended:
     ) -> Proposal:
         assert picture.shape[2] == 4
         self.known.append(tuple(known))
-        return self.said[len(self.known) - 1]
+        said = self.said[len(self.known) - 1]
+        if isinstance(said, KeyboardInterrupt):
+            raise said
+        return said
 
 
 def test_a_set_of_squeezed_pictures_has_cameras_with_wide_pixels(cli, tmp_path):
@@ -86,7 +91,7 @@ def bare(dataset) -> Dataset:
 
 @pytest.fixture
 def pretend(monkeypatch):
-    def made(said: list[Proposal]) -> Pretended:
+    def made(said: list[Proposal | KeyboardInterrupt]) -> Pretended:
         found = Pretended(said)
         monkeypatch.setattr("procc_annotator.cli.propose.propose_camera", found)
         return found
@@ -179,6 +184,29 @@ def test_matches_do_not_tell_each_other_where_cameras_stand(cli, bare, pretend, 
     finder = pretend([*first, *[none()] * 5, *[none()] * 2])
     cli("propose", season, tmp_path / "out", "--workers", 1)
     assert [len(known) for known in finder.known] == [0] * 10 + [1] * 2
+
+
+def test_a_season_has_one_file_of_cameras_a_match(cli, bare, pretend, fits, tmp_path):
+    """The sure ones, which commands read, and the others apart."""
+    out, listed = tmp_path / "out", tmp_path / "season.csv"
+    for match in ("a", "b/c"):
+        shutil.copytree(bare.root, tmp_path / match)
+    listed.write_text("video,match\na,a\nb/c,b/c\n")
+    seen = [proposal(fits["1"], "sure"), proposal(fits["2"], "unsure")]
+    pretend([*seen, KeyboardInterrupt()])
+    cli("propose", listed, out, code=130)
+    assert not list(out.rglob("*.npz"))
+    pretend([*[none()] * 3, *seen, *[none()] * 3])
+    cli("propose", listed, out, "--resume")
+    made = [f"{name}{end}" for name in ("a", "b/c") for end in (".npz", "/proposals.csv")]
+    assert files(out) == sorted([*made, "unsure/a.npz", "unsure/b/c.npz"])
+    sure = CameraCollection.open(out)
+    assert list(sure.frames) == ["a/1", "b/c/1"]
+    assert sure.read("a/1").camera.position_world == fits["1"].camera.position_world
+    assert list(CameraCollection.open(out / "unsure").frames) == ["a/2", "b/c/2"]
+    found = read_packed((out / "b" / "c.npz").read_bytes(), "c.npz")
+    assert found.state == ("sure", "unsure", "none", "none", "none")
+    assert "holds cameras" in cli("propose", listed, out, code=1).stderr
 
 
 @pytest.mark.parametrize("given", ["cameras", "positions"])

@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 import pytest
 
+from procc_annotator.batch.unit_store import only_run
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import Proposal
 from procc_annotator.calibration.tracking.track import Track, TrackedFrame
@@ -151,6 +152,51 @@ def test_a_season_is_the_matches_one_by_one(cli, video, cameras, whole, tmp_path
         shutil.copytree(cameras, given / name)
     cli("track", listed, tmp_path / "listed", "--cameras", given)
     assert all(same(tracked(tmp_path / "listed", name), tracked(whole)) for name in ("one", "two"))
+
+
+@pytest.mark.parametrize("is_listed", [False, True])
+def test_annotations_beside_the_videos_of_a_season(cli, shot, video, whole, is_listed, tmp_path):
+    """By the tree or by a list; the files of matches lie at several depths."""
+    season, out = tmp_path / "season", tmp_path / "out"
+    true = write_cameras(shot, tmp_path / "true")
+    for name in ("match", "b/match"):
+        for folder in (season, out):
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(video, season / f"{name}.mp4")
+        shutil.copyfile(whole / "match.npz", out / f"{name}.npz")
+        cli("annotate", season / f"{name}.mp4", season / f"{name}_frames", "--cameras", true)
+    given = season / "season.csv" if is_listed else season
+    if is_listed:
+        given.write_text("video,match\nmatch.mp4,match\nb/match.mp4,b/match\n")
+    assert "Summary of 4 frames, 4 with a camera" in cli("evaluate", given, out).stdout
+    assert "paint was not looked for" not in cli("check", given, "-o", tmp_path / "f.csv").stdout
+    cli("report", given, "--cameras", f"t={out}", "-o", tmp_path / "report.json")
+    assert f"b/match/{name_of(20)}" in (tmp_path / "report.json").read_text()
+    shutil.rmtree(season / "b/match_frames")
+    for cameras in (out, out / "match.npz"):
+        assert "2 frames, 2 with a camera" in cli("evaluate", given, cameras).stdout
+
+
+def test_only_what_a_list_has_counts(cli, video, monkeypatch, tmp_path):
+    follow_by(monkeypatch, nothing_found)
+    listed, out = tmp_path / "season.csv", tmp_path / "out"
+
+    def track(*rows: str, code: int = 0) -> str:
+        listed.write_text("\n".join(("video,match,stadum,field", *(f"{video},{r}" for r in rows))))
+        return cli("track", listed, out, code=code).stderr
+
+    said = track("one,,", "two,,socer", code=2)
+    assert "season.csv: line 3: field: socer: no such field; did you mean 'soccer'?" in said
+    assert "season.csv: columns left out: stadum" in track("one,,", "two,,")
+    track("two,,")
+    told = cli("status", out, "--price", 2, "-o", tmp_path / "status.json").stdout
+    assert f"1 of 1 match done, {FRAMES} of {FRAMES} frames tracked" in told
+    numbers = json.loads((tmp_path / "status.json").read_text())
+    assert (numbers["matches_done"], numbers["frames"], numbers["hours_left"]) == (1, FRAMES, 0)
+    assert numbers["cost"] == 2 * numbers["hours"] > 0
+    with only_run(out):
+        assert "another run writes there" in track("two,,", code=2)
+    assert not list(out.glob("*.lock*"))
 
 
 def test_a_season_of_urls_goes_to_a_url(cli, video, pictures, cameras, whole, tmp_path):

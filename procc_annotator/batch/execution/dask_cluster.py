@@ -18,7 +18,7 @@ from itertools import count, islice
 from queue import Empty, SimpleQueue
 from typing import Any, Self, TypeVar
 
-from procc_annotator.batch.execution.executor import take_ready
+from procc_annotator.batch.execution.executor import Work, take_ready
 from procc_annotator.batch.execution.process_pool import run_chunk
 from procc_annotator.errors import ProccError, UsageError
 from procc_annotator.messages import install_hint
@@ -71,37 +71,30 @@ class DaskCluster:
                 ) from error
             self._ending = ending.pop_all()
 
-    def map(
-        self,
-        task: Callable[[C], R],
-        chunks: Iterable[C | None],
-        *,
-        name: Callable[[C], str] = repr,
-        ordered: bool = True,
-        lost: Callable[[C, ProccError], R] | None = None,
-    ) -> Iterator[R]:
+    def map(self, work: Work[C, R]) -> Iterator[R]:
         """See `Executor.map`."""
         run = uuid.uuid4().hex
-        more, keys = iter(chunks), (f"procc-annotator-{run}-{i}" for i in count())
+        more, keys = iter(work.chunks), (f"procc-annotator-{run}-{i}" for i in count())
         sent: dict[Any, C] = {}  # by their futures, in the order in which they were sent
         arrived: SimpleQueue[object] = SimpleQueue()
         try:
             while True:
                 for chunk in take_ready(more, self._window() - len(sent)):
                     future = self._client.submit(
-                        _run_same_version, __version__, run, task, chunk, key=next(keys), pure=False
-                    )
+                        _run_same_version, __version__, run, work.task, chunk, key=next(keys),
+                        pure=False,
+                    )  # fmt: skip
                     sent[future] = chunk
                     future.add_done_callback(arrived.put)
                 if not sent:
                     return
-                future = self._first_done(sent, arrived, ordered)
+                future = self._first_done(sent, arrived, work.ordered)
                 try:
-                    result: R = self._result(future, sent[future], name)
+                    result: R = self._result(future, sent[future], work.name)
                 except LostWorkError as error:
-                    if lost is None:
+                    if work.lost is None:
                         raise
-                    result = lost(sent[future], error)
+                    result = work.lost(sent[future], error)
                 del sent[future]
                 yield result
         finally:

@@ -9,7 +9,8 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import Protocol, TypeVar
+from dataclasses import dataclass
+from typing import Generic, Protocol, TypeVar
 
 from procc_annotator.errors import ProccError, UsageError
 
@@ -21,33 +22,37 @@ R = TypeVar("R")
 WORTH_WORKERS = 2000
 
 
+@dataclass(frozen=True, eq=False)
+class Work(Generic[C, R]):
+    """A task, and the chunks that it is mapped over.
+
+    Attributes:
+        task: survives the trip to a worker, which keeps its copy between chunks: it may open files
+            with its first chunk and keep them open. The ``close()`` of such a copy, if it has one,
+            is called when the worker needs it no more.
+        chunks: as much work each as is worth a trip: a tenth of a second or more. None stands for
+            none before there are more results.
+        name: how to name a chunk to a person, e.g. by its first and last frame.
+        ordered: whether results come in the order of the chunks; else as they are made, so that a
+            long chunk holds nothing up.
+        lost: result of a chunk over which workers were lost again and again.
+    """
+
+    task: Callable[[C], R]
+    chunks: Iterable[C | None]
+    name: Callable[[C], str] = repr
+    ordered: bool = True
+    lost: Callable[[C, ProccError], R] | None = None
+
+
 class Executor(Protocol):
     """Maps a task over chunks."""
 
-    def map(
-        self,
-        task: Callable[[C], R],
-        chunks: Iterable[C | None],
-        *,
-        name: Callable[[C], str] = repr,
-        ordered: bool = True,
-        lost: Callable[[C, ProccError], R] | None = None,
-    ) -> Iterator[R]:
+    def map(self, work: Work[C, R]) -> Iterator[R]:
         """The results of the chunks; chunks are taken as results are.
 
         Closing the iterator, or an exception where it is used, gives up what is not done yet. A
         chunk whose worker is lost is done again.
-
-        Args:
-            task: survives the trip to a worker, which keeps its copy between chunks: it may open
-                files with its first chunk and keep them open. The ``close()`` of such a copy, if it
-                has one, is called when the worker needs it no more.
-            chunks: as much work each as is worth a trip: a tenth of a second or more. None stands
-                for none before there are more results.
-            name: how to name a chunk to a person, e.g. by its first and last frame.
-            ordered: whether results come in the order of the chunks; else as they are made, so that
-                a long chunk holds nothing up.
-            lost: result of a chunk over which workers were lost again and again.
 
         Raises:
             ProccError: as given to ``lost``, without one; or what the task raises.
@@ -57,18 +62,9 @@ class Executor(Protocol):
 class InProcess:
     """Does everything here, chunk by chunk, when the result is asked for, with the task itself."""
 
-    def map(
-        self,
-        task: Callable[[C], R],
-        chunks: Iterable[C | None],
-        *,
-        name: Callable[[C], str] = repr,
-        ordered: bool = True,
-        lost: Callable[[C, ProccError], R] | None = None,
-    ) -> Iterator[R]:
-        """See `Executor.map`."""
-        del name, ordered, lost  # nobody is lost here
-        return (task(chunk) for chunk in chunks if chunk is not None)
+    def map(self, work: Work[C, R]) -> Iterator[R]:
+        """See `Executor.map`; nobody is lost here."""
+        return (work.task(chunk) for chunk in work.chunks if chunk is not None)
 
 
 def take_ready(chunks: Iterator[C | None], count: int) -> Iterator[C]:

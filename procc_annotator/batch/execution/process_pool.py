@@ -20,7 +20,7 @@ from queue import Empty, SimpleQueue
 from types import TracebackType
 from typing import Any, Generic, Self, TypeVar
 
-from procc_annotator.batch.execution.executor import take_ready
+from procc_annotator.batch.execution.executor import Work, take_ready
 from procc_annotator.errors import ProccError
 
 C = TypeVar("C")
@@ -92,15 +92,7 @@ class ProcessPool:
         self._pool: ProcessPoolExecutor | None = None
         self._context = _RememberingContext()
 
-    def map(
-        self,
-        task: Callable[[C], R],
-        chunks: Iterable[C | None],
-        *,
-        name: Callable[[C], str] = repr,
-        ordered: bool = True,
-        lost: Callable[[C, ProccError], R] | None = None,
-    ) -> Iterator[R]:
+    def map(self, work: Work[C, R]) -> Iterator[R]:
         """See `Executor.map`. A bounded window of chunks is under way, so that memory stays flat
         when results are used up more slowly than they are made.
 
@@ -108,7 +100,7 @@ class ProcessPool:
         with a traceback at one that was called off when its processes are killed.
         """
         key = uuid.uuid4().hex
-        more = iter(chunks)
+        more = iter(work.chunks)
         sent: deque[_Sent[C, R]] = deque()
         arrived: SimpleQueue[object] = SimpleQueue()
         while True:
@@ -119,10 +111,10 @@ class ProcessPool:
             try:
                 for one in islice(sent, 1 if alone else None):
                     if one.future is None:
-                        one.future = self._submit(key, task, one.chunk)
+                        one.future = self._submit(key, work.task, one.chunk)
                         with _interrupts_deferred():
                             one.future.add_done_callback(arrived.put)
-                one = _first_done(sent, arrived, ordered or alone)
+                one = _first_done(sent, arrived, work.ordered or alone)
                 assert one.future is not None
                 with _interrupts_deferred():
                     result = one.future.result()
@@ -133,10 +125,10 @@ class ProcessPool:
                 one = sent[0]
                 if one.broke_alone < _ALONE_TRIES:
                     continue
-                said = _lost(name(one.chunk), one)
-                if lost is None:
+                said = _lost(work.name(one.chunk), one)
+                if work.lost is None:
                     raise said from error
-                result = lost(one.chunk, said)
+                result = work.lost(one.chunk, said)
             sent.remove(one)
             yield result
 

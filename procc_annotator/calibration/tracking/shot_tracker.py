@@ -533,7 +533,7 @@ class _ShotTracker:
         """Find cameras in a run of frames of which nothing is known, and follow them."""
         begin = gap[0]
         while begin <= gap[-1]:
-            at, found = self._find_start(begin, gap[-1])
+            at, found, probability = self._find_start(begin, gap[-1])
             if found is None:
                 return
             start = {at: found}
@@ -542,6 +542,7 @@ class _ShotTracker:
             # All its paint is measured once more by following: it must not count twice.
             given = {at: state_from_camera(found.vector, self.field, self.painted, self.picture)}
             self._keep([back, onwards], given)
+            self.found[at] = replace(self.found[at], probability=probability)
             if self.known:
                 self._reject_other_positions(at, {*back.numbers, *onwards.numbers})
             for number in range(begin, at):
@@ -549,12 +550,12 @@ class _ShotTracker:
                     self._lose(number, "no camera was found yet")
             begin = onwards.numbers[-1] + 1
 
-    def _find_start(self, begin: int, end: int) -> tuple[int, GaussianState | None]:
-        """The first frame for which a camera is proposed, sure, and determined in its position, and
-        what is believed of it; else of some sure ones the one whose position is known best."""
+    def _find_start(self, begin: int, end: int) -> tuple[int, GaussianState | None, float]:
+        """The first frame for which a camera is proposed, sure, and determined in its position, its
+        state and probability; else of some sure ones the one whose position is known best."""
         since, reason = begin, ""
         least, tries, tried = np.inf, 0, begin
-        best: tuple[int, GaussianState] | None = None
+        best: tuple[int, GaussianState, float] | None = None
         known = self._position_near(begin) or self.known
         for now in decoded_frames(self.frame, range(begin, end + 1)):
             self.go_on()
@@ -573,12 +574,13 @@ class _ShotTracker:
                     wide = state_from_camera(vector, self.field, self.painted, self.picture)
                     sd = float(np.sqrt(np.diag(wide.covariance)[X : Z + 1].max()))
                     if sd <= _MAX_POSITION_SD_M or known:
-                        return now.number, self._state_from_proposal(vector, proposal.fit)
+                        found = self._state_from_proposal(vector, proposal.fit)
+                        return now.number, found, proposal.probability
                     if sd < least:
-                        least, best = sd, (now.number, wide)
+                        least, best = sd, (now.number, wide, proposal.probability)
             if now.number not in self.found:
                 self._lose(now.number, reason)
-        return best or (end, None)
+        return best or (end, None, 0.0)
 
     def _state_from_proposal(self, vector: FloatArray, fit: FitResult) -> GaussianState:
         """Return what is believed of a proposed camera (11,): what the paint of its picture

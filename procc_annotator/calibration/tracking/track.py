@@ -30,6 +30,8 @@ class TrackedFrame:
         explained: share of the line pixels on the field that its lines explain, 0 to 1, at this
             frame or up to half a second before; None where enough of the model was found.
         clicks: the SHA-256 of the annotation that an anchor was fitted to; empty for other frames.
+        probability: 0 to 1, that the camera found in its picture, which began the track, is right;
+            None for frames in which none was found.
     """
 
     number: int
@@ -41,6 +43,7 @@ class TrackedFrame:
     anchor_distance: int | None
     clicks: str = ""
     explained: float | None = None
+    probability: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

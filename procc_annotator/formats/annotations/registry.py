@@ -308,8 +308,8 @@ def _is_damaged(source: FileSource, name: str) -> bool:
 def _files(source: FileSource) -> list[str]:
     """The JSON and XML files that may be annotations; those of a tree where all files at its top
     are of another kind."""
-    if source.path.suffix.lower() == ".csv":  # beside annotations a table is of something else
-        return list(source.files())
+    if source.path.suffix.lower() == ".csv" and source.files():
+        return list(source.files())  # beside annotations a table is of something else
     names, in_tree = files_of(source, _may_be_annotations)
     if in_tree or not names or any(_detected(source, names)):
         return names

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
+from os.path import splitext
 from pathlib import Path, PurePosixPath
 from typing import Self
 
@@ -240,7 +241,10 @@ class CameraCollection:
     def _only_folder(self) -> str:
         """The folder, with a slash at its end, that the only file of many cameras gives all its
         pictures; empty if absent."""
-        folders = [records.only_folder for records in self._records.values()]
+        folders = [
+            one.only_folder or (splitext(file)[0] if one.shots else "")  # one file a match
+            for file, one in self._records.items()
+        ]
         return f"{folders[0]}/" if len(folders) == 1 and folders[0] else ""
 
     def _many(self, file: str) -> CameraRecords | None:

@@ -240,7 +240,7 @@ def write_cameras(
             if encoded is not None:
                 name = _place(writer, frame, split)
                 if archived:
-                    archive.writestr(_entry(name), encoded)
+                    archive.writestr(zip_entry(name), encoded)
                 else:
                     make_folder((out / name).parent)
                     write_atomic(out / name, encoded)
@@ -331,7 +331,8 @@ def _extra(loaded: LoadedCamera) -> Losses:
     return (f"keys left out: {', '.join(map(printable, left_out[:5]))}",) if left_out else ()
 
 
-def _entry(name: str) -> zipfile.ZipInfo:
+def zip_entry(name: str) -> zipfile.ZipInfo:
+    """A file of an archive, which is the same for the same content."""
     entry = zipfile.ZipInfo(name, _ZIP_DATE)
     entry.compress_type = zipfile.ZIP_DEFLATED
     entry.external_attr = 0o644 << 16

@@ -21,13 +21,18 @@ def status_kind(path: Path) -> str:
 
 
 def status_bytes(
-    path: Path, title: str, sheet: MetricTable, words: str, failed: Sequence[str]
+    path: Path,
+    title: str,
+    sheet: MetricTable,
+    progress: tuple[str, dict[str, float | None]],
+    failed: Sequence[str],
 ) -> bytes:
     """The content of a file of this suffix: the table, what is said of it, and failed units."""
-    kind = status_kind(path)
+    kind, (words, numbers) = status_kind(path), progress
     if kind == ".csv":
         return csv_bytes(sheet)
     if kind == ".json":
-        return json_bytes({"status": words, "set_aside": list(failed), **table_entry(sheet)})
+        about = {"status": words, **numbers, "set_aside": list(failed)}
+        return json_bytes({**about, **table_entry(sheet)})
     page = page_template("status.html").render(title=title, sheet=sheet, words=words, failed=failed)
     return page.encode("utf-8", "replace")

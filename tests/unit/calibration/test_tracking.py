@@ -197,12 +197,13 @@ def test_of_sure_cameras_the_first_one_with_a_known_position_is_followed(monkeyp
         number = 20 * len(asked)
         asked.append(number)
         fit = FitResult("R", SIZE, true[number], vector=vector_from_camera(true[number], FRAME))
-        return Proposal("sure", "all is there", fit, 1.0, 1.0, 0.1, 0.9, None)
+        return Proposal("sure", "all is there", fit, 1.0, 1.0, 0.1, 0.9, None, 0.99)
 
     monkeypatch.setattr(shot_tracker, "_TRIED_FRAMES", 20)
     found = track_shot(pictures.__getitem__, range(count), FIELD, propose=propose)
     assert asked == [0, 20]
     assert [f.number for f in found.frames if f.anchor_distance == 0] == [20]
+    assert {f.number: f.probability for f in found.frames if f.probability} == {20: 0.99}
     monkeypatch.setattr(shot_tracker, "_MAX_POSITION_SD_M", 0.0)
     asked.clear()
     found = track_shot(pictures.__getitem__, range(count), FIELD, propose=propose)

@@ -391,7 +391,7 @@ def test_somebody_elses_empty_file_is_not_removed_for_ours(tmp_path, monkeypatch
 
     def fail(path: Path) -> None:
         broken.setattr(saving, "read_optional", unreadable)
-        raise OSError(5, "Input/output error")
+        raise SaveError("Input/output error")
 
     with monkeypatch.context() as broken:
         broken.setattr(saving, "remove", fail)

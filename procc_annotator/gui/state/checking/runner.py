@@ -9,7 +9,7 @@ from time import monotonic
 
 from PySide6.QtCore import QObject, QTimer
 
-from procc_annotator.batch.execution.executor import Executor, InProcess
+from procc_annotator.batch.execution.executor import Executor, InProcess, Work
 from procc_annotator.batch.label_check import Checked, CheckFrames, FrameToCheck, with_set_findings
 from procc_annotator.batch.set_run import frames_in_words
 from procc_annotator.dataset.picture_sizes import picture_size
@@ -169,7 +169,7 @@ def _check_frames(
             yield chunk
 
     with _executor(few) as executor:
-        found = executor.map(check, chunks(), name=frames_in_words)
+        found = executor.map(Work(check, chunks(), frames_in_words))
         with closing(_until_closed(found)) as results:
             for chunk in results:
                 for result in chunk:

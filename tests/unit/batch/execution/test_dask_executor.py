@@ -8,7 +8,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from operator import attrgetter
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,7 @@ import pytest
 
 from procc_annotator.batch.evaluation import run_evaluation
 from procc_annotator.batch.execution import dask_cluster
-from procc_annotator.batch.execution.executor import Executor, InProcess, make_executor
+from procc_annotator.batch.execution.executor import Executor, InProcess, Work, make_executor
 from procc_annotator.batch.scoring import FrameResult
 from procc_annotator.errors import CameraError, ProccError, UsageError
 from procc_annotator.field.load import load_field
@@ -132,8 +132,8 @@ class Wrapped:
     executor: Executor
     wrap: Callable[[Any], Any]
 
-    def map(self, task: Any, chunks: Any, *, name: Any = repr) -> Iterator[Any]:
-        return self.executor.map(self.wrap(task), chunks, name=name)
+    def map(self, work: Work[Any, Any]) -> Iterator[Any]:
+        return self.executor.map(replace(work, task=self.wrap(work.task)))
 
 
 def evaluate(set_: Path, executor: Executor) -> tuple[list[FrameResult], Any]:
@@ -226,7 +226,7 @@ def test_local_processes_give_the_same_with_one_killed(tasks, set_, marks):
 
 def test_a_worker_killed_from_outside_loses_nothing(tasks, cluster, two_workers, tmp_path):
     gate = tmp_path / "gate"
-    results = two_workers.map(tasks.Waiting(gate), range(12))
+    results = two_workers.map(Work(tasks.Waiting(gate), range(12)))
     first, pid = next(results)
     (victim,) = [worker for worker in cluster.workers if worker.pid == pid]
     victim.kill()
@@ -238,14 +238,14 @@ def test_a_worker_killed_from_outside_loses_nothing(tasks, cluster, two_workers,
 
 
 def test_errors_travel_and_what_is_queued_is_given_up(tasks, workers):
-    results = workers.map(tasks.Failing(1), range(9))
+    results = workers.map(Work(tasks.Failing(1), range(9)))
     assert next(results) == 0
     with pytest.raises(CameraError, match=r"a\.json: line 3: is damaged \(mend it\)"):
         next(results)
-    results = workers.map(tasks.with_pid, range(100))
+    results = workers.map(Work(tasks.with_pid, range(100)))
     next(results)
     results.close()
-    assert [chunk for chunk, _ in workers.map(tasks.with_pid, range(3))] == [0, 1, 2]
+    assert [chunk for chunk, _ in workers.map(Work(tasks.with_pid, range(3)))] == [0, 1, 2]
 
 
 def test_a_look_at_the_workers_never_loses_a_result(tasks, workers, monkeypatch):
@@ -259,12 +259,12 @@ def test_a_look_at_the_workers_never_loses_a_result(tasks, workers, monkeypatch)
 
     monkeypatch.setattr(Future, "result", fetch_what_is_there)
     monkeypatch.setattr(dask_cluster, "_LOOK_S", 0.001)
-    results = list(workers.map(tasks.with_pid, range(60)))
+    results = list(workers.map(Work(tasks.with_pid, range(60))))
     assert [chunk for chunk, _ in results] == list(range(60))
     with pytest.raises(CameraError, match="is damaged"):
-        list(workers.map(tasks.Failing(1), range(3)))
+        list(workers.map(Work(tasks.Failing(1), range(3))))
     with pytest.raises(TimeoutError, match="too slow"):
-        list(workers.map(tasks.too_slow, range(3)))
+        list(workers.map(Work(tasks.too_slow, range(3))))
 
 
 def test_a_set_that_workers_do_not_find_is_said_so(workers, set_, tmp_path):
@@ -284,7 +284,7 @@ def test_a_set_that_workers_do_not_find_is_said_so(workers, set_, tmp_path):
 def test_another_version_on_a_worker_is_refused(tasks, workers, monkeypatch):
     monkeypatch.setattr(dask_cluster, "__version__", "99")
     with pytest.raises(ProccError, match=r"a Dask worker has procc-annotator .* this is 99"):
-        list(workers.map(tasks.with_pid, range(2)))
+        list(workers.map(Work(tasks.with_pid, range(2))))
 
 
 def test_a_scheduler_that_does_not_answer_is_one_line(monkeypatch):
@@ -319,7 +319,7 @@ def test_without_the_library_the_extra_is_advised(monkeypatch):
 
 def test_a_scheduler_that_is_lost_midway_is_one_line(tasks, cluster, workers, tmp_path, capfd):
     gate = tmp_path / "gate"
-    results = workers.map(tasks.Waiting(gate), range(12))
+    results = workers.map(Work(tasks.Waiting(gate), range(12)))
     next(results)
     cluster.scheduler.kill()
     cluster.scheduler.wait()

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from procc_annotator.batch.execution import executor as executors
-from procc_annotator.batch.execution.executor import InProcess, make_executor
+from procc_annotator.batch.execution.executor import InProcess, Work, make_executor
 from procc_annotator.batch.execution.process_pool import MAX_CACHED_TASKS, ProcessPool
 from procc_annotator.errors import CameraError, ProccError, UsageError
 
@@ -50,10 +50,11 @@ def test_how_many_processes_suit_the_work(monkeypatch):
 
 
 def test_results_come_in_the_order_of_the_chunks(tasks, pool):
-    results = list(pool.map(tasks.with_pid, range(40)))
+    results = list(pool.map(Work(tasks.with_pid, range(40))))
     assert [chunk for chunk, _ in results] == list(range(40))
     assert os.getpid() not in {pid for _, pid in results}
-    assert [chunk for chunk, _ in InProcess().map(tasks.with_pid, range(40))] == list(range(40))
+    here = InProcess().map(Work(tasks.with_pid, range(40)))
+    assert [chunk for chunk, _ in here] == list(range(40))
 
 
 @pytest.mark.parametrize("make", [InProcess, None], ids=["in process", "pool"])
@@ -65,7 +66,7 @@ def test_chunks_are_taken_as_results_are(tasks, pool, make):
             taken.append(i)
             yield i
 
-    results = (make() if make else pool).map(tasks.with_pid, endless())
+    results = (make() if make else pool).map(Work(tasks.with_pid, endless()))
     assert [next(results)[0] for _ in range(3)] == [0, 1, 2]
     assert len(taken) <= 3 + 4
     close = getattr(results, "close", None)
@@ -74,42 +75,42 @@ def test_chunks_are_taken_as_results_are(tasks, pool, make):
 
 
 def test_errors_travel_whole_and_the_pool_goes_on(tasks, pool):
-    results = pool.map(tasks.Failing(2), range(9))
+    results = pool.map(Work(tasks.Failing(2), range(9)))
     assert [next(results), next(results)] == [0, 1]
     with pytest.raises(CameraError) as caught:
         next(results)
     assert str(caught.value) == "a.json: line 3: is damaged (mend it)"
     assert (caught.value.place, caught.value.advice) == ("line 3", "mend it")
-    assert list(pool.map(tasks.Failing(-1), range(3))) == [0, 1, 2]
+    assert list(pool.map(Work(tasks.Failing(-1), range(3)))) == [0, 1, 2]
 
 
 def test_a_worker_keeps_its_copy_of_the_task_and_closes_it(tasks, tmp_path):
     with ProcessPool(1) as one:
-        ((pid, _), *_, (_, calls)) = one.map(tasks.Counting(tmp_path), range(20))
+        ((pid, _), *_, (_, calls)) = one.map(Work(tasks.Counting(tmp_path), range(20)))
         assert calls == 20
-        list(one.map(tasks.with_pid, range(2)))
+        list(one.map(Work(tasks.with_pid, range(2))))
         assert list(tmp_path.iterdir()) == []
         for _ in range(MAX_CACHED_TASKS):
-            list(one.map(tasks.with_pid, range(2)))
+            list(one.map(Work(tasks.with_pid, range(2))))
     assert [path.name.partition("-")[0] for path in tmp_path.iterdir()] == [str(pid)]
 
 
 def test_files_that_changed_between_two_calls_are_opened_anew(tasks, pool, tmp_path):
     task = tasks.Counting(tmp_path)
-    first = [calls for _, calls in pool.map(task, range(1))]
-    assert first == [calls for _, calls in pool.map(task, range(1))] == [1]
+    first = [calls for _, calls in pool.map(Work(task, range(1)))]
+    assert first == [calls for _, calls in pool.map(Work(task, range(1)))] == [1]
 
 
 @pytest.mark.parametrize("at", [0, 5, 11])
 def test_a_lost_workers_chunk_is_done_again(tasks, pool, marks, at):
     task = tasks.Killer(tasks.with_pid, at, marks)
-    assert [chunk for chunk, _ in pool.map(task, range(12))] == list(range(12))
+    assert [chunk for chunk, _ in pool.map(Work(task, range(12)))] == list(range(12))
     assert len(list(marks.iterdir())) == 1
 
 
 def test_a_worker_killed_from_outside_is_replaced(tasks, pool, tmp_path):
     gate = tmp_path / "gate"
-    results = pool.map(tasks.Waiting(gate), range(9))
+    results = pool.map(Work(tasks.Waiting(gate), range(9)))
     first, pid = next(results)
     os.kill(pid, signal.SIGKILL)
     gate.touch()
@@ -128,28 +129,28 @@ def test_a_pool_that_breaks_while_it_starts_a_process_loses_nothing(tasks, pool,
         return submit(self, *arguments)
 
     monkeypatch.setattr(ProcessPoolExecutor, "submit", breaking)
-    assert [chunk for chunk, _ in pool.map(tasks.with_pid, range(9))] == list(range(9))
+    assert [chunk for chunk, _ in pool.map(Work(tasks.with_pid, range(9)))] == list(range(9))
     assert not errors
 
 
 def test_three_losses_are_survived_and_blamed_on_nobody_else(tasks, pool, marks):
     task = tasks.Killer(tasks.with_pid, 4, marks, times=3)
-    assert [chunk for chunk, _ in pool.map(task, range(9))] == list(range(9))
+    assert [chunk for chunk, _ in pool.map(Work(task, range(9)))] == list(range(9))
 
 
 def test_a_chunk_that_kills_every_worker_is_named(tasks, pool, marks):
     task = tasks.Killer(tasks.with_pid, 4, marks, times=99)
-    results = pool.map(task, range(9), name="frames {}".format)
+    results = pool.map(Work(task, range(9), name="frames {}".format))
     done = []
     with pytest.raises(ProccError, match=r"^frames 4: the worker process was ended from outside"):
         done += [chunk for chunk, _ in iter(results.__next__, None)]
     assert len(list(marks.iterdir())) <= 4
-    assert [chunk for chunk, _ in pool.map(tasks.with_pid, range(3))] == [0, 1, 2]
+    assert [chunk for chunk, _ in pool.map(Work(tasks.with_pid, range(3)))] == [0, 1, 2]
 
 
 def test_without_order_a_long_chunk_holds_nothing_up(tasks, pool, tmp_path):
     gate = tmp_path / "gate"
-    results = pool.map(tasks.Waiting(gate), [1, 0, 0, 0, 0, 0], ordered=False)
+    results = pool.map(Work(tasks.Waiting(gate), [1, 0, 0, 0, 0, 0], ordered=False))
     assert [next(results)[0] for _ in range(5)] == [0] * 5
     gate.touch()
     assert [chunk for chunk, _ in results] == [1]
@@ -158,7 +159,7 @@ def test_without_order_a_long_chunk_holds_nothing_up(tasks, pool, tmp_path):
 def test_a_chunk_that_kills_every_worker_may_have_a_result(tasks, pool, marks):
     task = tasks.Killer(tasks.with_pid, 4, marks, times=99)
     results = dict(
-        pool.map(task, range(9), ordered=False, lost=lambda chunk, error: (chunk, error))
+        pool.map(Work(task, range(9), ordered=False, lost=lambda chunk, error: (chunk, error)))
     )
     assert sorted(results) == list(range(9))
     assert "ended from outside" in str(results[4])
@@ -174,7 +175,7 @@ def test_chunks_that_depend_on_results_come_later(tasks, pool, make):
             yield None
         yield 2
 
-    for chunk, _ in (make() if make else pool).map(tasks.with_pid, chunks(), ordered=False):
+    for chunk, _ in (make() if make else pool).map(Work(tasks.with_pid, chunks(), ordered=False)):
         done.append(chunk)
     assert sorted(done) == [0, 1, 2]
 
@@ -189,7 +190,7 @@ PROGRAM = """
 import faulthandler, itertools, signal, sys
 faulthandler.register(signal.SIGUSR1)  # asked where it is, it says so
 signal.signal(signal.SIGINT, signal.default_int_handler)  # whoever runs the tests may ignore it
-from procc_annotator.batch.execution.executor import make_executor
+from procc_annotator.batch.execution.executor import Work, make_executor
 from executor_tasks import with_pid, without_end
 if __name__ == "__main__":
     try:
@@ -197,7 +198,7 @@ if __name__ == "__main__":
             if sys.argv[1] == "starting":
                 print("now", flush=True)
             task = without_end if sys.argv[1] == "busy" else with_pid
-            for chunk, pid in executor.map(task, itertools.count()):
+            for chunk, pid in executor.map(Work(task, itertools.count())):
                 if (sys.argv[1], chunk) in {("working", 50), ("busy", 0)}:
                     print("now", flush=True)
     except KeyboardInterrupt:
