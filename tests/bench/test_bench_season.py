@@ -154,8 +154,8 @@ def test_a_season_of_repeated_results(benchmark, tmp_path, workers):
 
     seconds = benchmark.pedantic(run, rounds=1)
     print(
-        f"\n{workers} workers: {seconds / MATCHES:.1f} s of CPU a match, {megabytes[3]:.0f} MB after 4"
-        f" matches, {megabytes[-1]:.0f} MB after all"
+        f"\n{workers} workers: {seconds / MATCHES:.1f} s of CPU a match, {megabytes[3]:.0f} MB"
+        f" after 4 matches, {megabytes[-1]:.0f} MB after all"
     )
 
 
