@@ -124,7 +124,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Close the window; everything is saved"),
     _spec("Edit", "undo", "Undo", "Ctrl+Z", "canvas.undo",
           "Take back the last step of this frame", repeat=True),
-    _spec("Edit", "redo", "Redo", "Ctrl+Shift+Z Ctrl+Y", "services.editing.redo",
+    _spec("Edit", "redo", "Redo", "Ctrl+Shift+Z Ctrl+Y", "canvas.redo",
           "Do the step again", repeat=True),
     _spec("Edit", "delete", "-Delete point or element", "Delete", "canvas.key",
           "Remove the selected point; without one, the selected element", args=("Delete",),

@@ -95,9 +95,28 @@ def test_what_is_taken_back_is_not_followed_again(window, shot, qtbot, monkeypat
     all_done(qtbot)
     assert files(shot) == []
 
+    press(window, Key.Key_Y, CTRL)
+    qtbot.waitUntil(lambda: not window.stretch_accepting.running)
+    all_done(qtbot)
+    assert files(shot) == ["00", "01"]  # all of them again
+    press(window, Key.Key_Z, CTRL)
+    qtbot.waitUntil(lambda: not window.stretch_accepting.running)
+    all_done(qtbot)
+    assert files(shot) == []
+
     window.services.navigator.go_to(2)
 
     assert not window.shot_following.running
+    press(window, Key.Key_Z, CTRL | SHIFT)
+    assert files(shot) == []  # another frame is meant
+
+
+def test_nothing_is_accepted_while_the_shot_is_followed(window, monkeypatch):
+    monkeypatch.setattr(type(window.shot_following), "running", True)
+    said = heard(window.services)
+    press(window, Key.Key_Return, CTRL | SHIFT)
+    assert "still being followed" in said[-1]
+    assert not window.stretch_accepting.running
 
 
 def test_doubtful_frames_are_accepted_by_pressing_once_more(window, shot, qtbot, monkeypatch):

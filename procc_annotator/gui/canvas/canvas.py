@@ -217,6 +217,11 @@ class Canvas(PictureView):
         elif not self.editor.taken_first("Undo", False):  # not shown
             self._services.editing.undo()
 
+    def redo(self) -> None:
+        """Do again what was taken back last: a stretch of frames, or a step of the frame."""
+        if not self.editor.taken_first("Redo", False):  # not shown
+            self._services.editing.redo()
+
     def key(self, name: str, shift: bool = False) -> None:
         """Pass Enter, Backspace, Escape or Delete to the tool."""
         if name == "Escape" and self.pan_tool:

@@ -31,6 +31,7 @@ _NOTHING = FrameAnnotation(())
 _ANNOTATED = word("it is annotated by now")
 _EDITED = word("it was edited since")
 _NOT_FOLLOWED = word("no frame to accept: follow the shot first (T)")
+_FOLLOWING = word("the shot is still being followed: wait for its end, or stop it (T), then accept")
 _NONE_LEFT = word("no frame to accept: all that were followed are annotated")
 _BLIND = word("blind mode: nothing is accepted that was not clicked")
 
@@ -88,16 +89,21 @@ class StretchAccepting(QObject):
     changed = Signal()  # how far it is, or that it ended
 
     def __init__(
-        self, services: Services, least_support: Callable[[], float], parent: QObject
+        self,
+        services: Services,
+        least_support: Callable[[], float],
+        following: Callable[[], bool],
+        parent: QObject,
     ) -> None:
         super().__init__(parent)
-        self._services, self._least_support = services, least_support
+        self._services, self._least_support, self._following = services, least_support, following
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
         self._looking = LatestOnlyTask(self, self._fail)
         self._far = (0, 0)
         self._found: dict[int, FrameAnnotation] = {}
         self._put: dict[int, FrameAnnotation] = {}  # what frames held once they were edited
         self._accepted: dict[int, FrameAnnotation] = {}  # what was accepted last, by index
+        self._taken_back: dict[int, FrameAnnotation] = {}  # what was taken back last
         self._offered: frozenset[int] = frozenset()  # doubtful frames that once more accepts
         self._at = -1  # the frame on screen by then; -1 once somebody went on
         self._here = _NOTHING  # what it held by then
@@ -126,6 +132,9 @@ class StretchAccepting(QObject):
         """Annotate the sure frames along the track; once more, the doubtful ones too."""
         services, workspace = self._services, self._services.state.workspace
         if self.running or workspace is None:
+            return
+        if self._following():
+            services.say(tr(_FOLLOWING))
             return
         if not services.proposals.allowed:
             services.say(tr(_BLIND))
@@ -157,19 +166,25 @@ class StretchAccepting(QObject):
             return
         services.store.events.aboutToLeave.emit()
         self._found, self._accepted = self._accepted, {}
+        self._at = services.state.frame_index
         self._edits.start(tuple(self._found), self._empty_frame, self._tell_taken_back)
 
     def key(self, name: str, _shift: bool) -> bool:
-        """Take Undo right after a stretch was accepted, and Escape while it is looked for."""
+        """Take Undo right after a stretch was accepted, Redo right after it was taken back, and
+        Escape while it is looked for."""
         if name in ("Escape", "Undo") and self._looking.running:
             self._stop_looking()
             self._services.say(tr("taken back: no frame is accepted"))
             return True
-        if name != "Undo" or self._at != self._services.state.frame_index or not self._accepted:
-            return False
-        if self._services.state.annotation != self._here:
+        state = self._services.state
+        meant = {"Undo": self._accepted, "Redo": self._taken_back}.get(name)
+        if not meant or self._at != state.frame_index or state.annotation != self._here:
             return False  # something was done here since: that is meant
-        self.take_back()
+        if name == "Undo":
+            self.take_back()
+        else:
+            self._found, self._put, self._taken_back = meant, {}, {}
+            self._edits.start(tuple(meant), self._put_frame, self._tell_accepted)
         return True
 
     # --- which frames -------------------------------------------------------------------------
@@ -280,6 +295,8 @@ class StretchAccepting(QObject):
         ][: bool(count)]
 
     def _tell_taken_back(self, outcome: EditedFrames) -> None:
+        self._taken_back = {index: self._found[index] for index in outcome.edited}
+        self._here = self._services.state.annotation
         words = tr_count(
             len(outcome.edited),
             "taken back: {n:,} frame accepted along the track",
@@ -298,7 +315,7 @@ class StretchAccepting(QObject):
         """Accept no more and say nothing: the dataset or the window closes."""
         self._stop_looking()
         self._edits.forget()
-        self._accepted, self._offered = {}, frozenset()
+        self._accepted, self._taken_back, self._offered = {}, {}, frozenset()
         self._at = -1
 
 
