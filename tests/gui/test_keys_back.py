@@ -113,6 +113,29 @@ def test_a_click_beside_the_picture_leaves_it_the_keys(audited, qtbot):
     assert audited.canvas.hasFocus()
 
 
+@pytest.mark.parametrize("name", ["frames_list", "elements_tree", "field_map_panel", "top_next"])
+def test_keys_of_the_picture_work_in_a_list_and_escape_comes_back(begun, qtbot, name):
+    """Wherever F6 and Tab brought the keyboard."""
+    widget = begun.findChild(QWidget, name)
+    qtbot.waitUntil(widget.isVisible)
+    services = begun.services
+    services.selection.select_class("Circle left")
+    widget.setFocus(Qt.FocusReason.TabFocusReason)
+    press(Qt.Key.Key_Delete)
+    assert services.state.annotation.get("Circle left") is None
+    Hand(begun).click(100, 100)
+    Hand(begun).click(150, 100)
+    widget.setFocus(Qt.FocusReason.TabFocusReason)
+    press(Qt.Key.Key_Backspace)
+    assert len(begun.canvas.editor._draw.points) == 1
+    press(Qt.Key.Key_Escape)
+    assert begun.canvas.hasFocus()
+    assert not begun.canvas.editor.drawing
+    widget.setFocus(Qt.FocusReason.TabFocusReason)
+    press(Qt.Key.Key_Escape)
+    assert begun.canvas.hasFocus()
+
+
 class TestWhileDrawing:
     """Two points of a line are clicked, then a box in a panel."""
 

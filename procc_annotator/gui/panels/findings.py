@@ -356,17 +356,15 @@ class FindingsPanel(Panel):
             self._commands.go(*self.model.entries[index.row()])
 
     def eventFilter(self, watched: object, event: QEvent) -> bool:
-        deleted = (
-            watched is self.list
-            and event.type() == QEvent.Type.KeyPress
-            and isinstance(event, QKeyEvent)
-            and event.key() == Qt.Key.Key_Delete
-        )
-        row = self.list.currentIndex().row() if deleted else -1
-        if 0 <= row < len(self.model.entries):
+        if watched is not self.list or not isinstance(event, QKeyEvent):
+            return False
+        row = self.list.currentIndex().row() if event.key() == Qt.Key.Key_Delete else -1
+        if event.type() == QEvent.Type.KeyRelease or not 0 <= row < len(self.model.entries):
+            return False
+        event.accept()  # before the window deletes the element
+        if event.type() == QEvent.Type.KeyPress:
             self._commands.ignore(*self.model.entries[row])
-            return True
-        return False
+        return True
 
 
 def _pieces(text: str) -> Iterator[str]:

@@ -334,7 +334,9 @@ class FramesPanel(Panel):
         """Esc shows all frames again; Enter and arrows go on to the list, to its first row."""
         if key == Qt.Key.Key_Escape:
             self.filter.clear()
-        elif self.model.rowCount():
+            self.left.emit()
+            return
+        if self.model.rowCount():
             if not self.list.currentIndex().isValid():
                 rows = range(self.model.rowCount())
                 first = next((row for row in rows if self.model.frame_index(row) >= 0), 0)

@@ -131,9 +131,9 @@ class FocusReturn(QObject):
     """Routes keys to the picture.
 
     A click next to the picture gives the keyboard to text only: whatever else is clicked leaves the
-    picture the keys that the status bar names. A number is taken by Enter and put back by Escape;
-    a list is left by either. While a polyline is being clicked its keys mean it wherever nothing is
-    typed.
+    picture the keys that the status bar names. A number is taken by Enter and put back by Escape; a
+    list is left by either, and whatever else has the keyboard by Escape. While a polyline is being
+    clicked its keys mean it wherever nothing is typed.
     """
 
     def __init__(self, canvas: Canvas) -> None:
@@ -172,6 +172,10 @@ class FocusReturn(QObject):
             return False
         what = self._meant(watched, event)
         if what is None:
+            pressed = event.type() == QEvent.Type.KeyPress and event.key() == Qt.Key.Key_Escape
+            focused = QApplication.focusWidget()
+            if pressed and watched is focused and not typed_into(focused):
+                self._canvas.setFocus()  # whatever else the key does there
             return False
         event.accept()  # before the window's actions have it
         if event.type() == QEvent.Type.KeyPress:
