@@ -325,6 +325,7 @@ class MainWindow(QMainWindow):
         self.opening.drop(paths)
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        self.services.navigator.leave()
         if not self.services.editing.save_now():
             problems = [str(p) for p in self.services.saver.problems.values()]
             if not ask_to_leave_unsaved(self, problems):

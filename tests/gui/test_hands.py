@@ -205,23 +205,28 @@ class TestNextElement:
 class TestLeaving:
     """A frame is left, or the program dies, while something is drawn."""
 
-    def test_a_single_click_waits_and_is_no_element(self, on_pitch, clicks, pitch, qtbot):
+    @pytest.mark.parametrize("count", [1, 2])
+    def test_clicks_wait_unfinished_and_are_no_element(self, on_pitch, clicks, pitch, qtbot, count):
         services = on_pitch.services
         services.selection.select_class(MIDDLE)
-        clicks.click(480, 130)
+        for y in (130, 330)[:count]:
+            clicks.click(480, y)
         told = qtbot.waitSignal(
             services.store.events.message,
-            check_params_cb=lambda m: m.text.startswith("kept 1 click of Half"),
+            check_params_cb=lambda m: m.text.startswith(f"kept {count} click"),
         )
         with told:
             services.navigator.next_frame()
+        clicks.click(480, 130)  # begins a line of its own
+        clicks.key(Qt.Key.Key_Escape)
+        assert services.state.annotation.polylines == ()
         services.editing.save_now()
         assert not (pitch / "0.json").exists()
         services.navigator.previous_frame()
         assert services.state.annotation.get_unconfirmed(MIDDLE) is not None
         clicks.draw(MIDDLE, (480, 530))
-        assert len(px(on_pitch, MIDDLE)) == 2
-        assert kinds(on_pitch) == {OriginKind.SNAPPED: 2}
+        assert len(px(on_pitch, MIDDLE)) == count + 1
+        assert kinds(on_pitch) == {OriginKind.SNAPPED: count + 1}
 
     @pytest.mark.new_window
     def test_clicks_under_way_outlive_the_program(self, on_pitch, clicks, pitch, make_window):
@@ -408,17 +413,20 @@ class TestCopying:
         assert set(kinds(on_pitch)) == {OriginKind.COPIED}
 
     @pytest.mark.parametrize("goes_on", [True, False])
-    @pytest.mark.parametrize("done", ["finished", "seen again", "copied", "confirmed", "all"])
+    @pytest.mark.parametrize(
+        "done", ["finished", "seen again", "left", "copied", "confirmed", "all"]
+    )
     def test_a_stray_click_goes_into_no_element_that_is_done(
         self, on_pitch, clicks, qtbot, done, goes_on
     ):
         services = on_pitch.services
         services.selection.set_option("auto_advance", goes_on)
-        if done in ("finished", "seen again"):
+        if done in ("finished", "seen again", "left"):
             clicks.draw(MIDDLE, (480, 130), (480, 530))
             services.selection.select_class(MIDDLE)
-            if done == "seen again":
+            if done != "finished":
                 services.navigator.next_frame()
+            if done == "seen again":
                 services.navigator.previous_frame()
         else:
             self.copy(on_pitch, clicks, qtbot)

@@ -13,6 +13,7 @@ from PySide6.QtGui import QDropEvent, QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QPushButton
 
+from procc_annotator.annotation import points_px
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.formats.cameras.soccernet import write_camera
 from procc_annotator.gui.actions import ACTIONS
@@ -24,7 +25,7 @@ from procc_annotator.gui.window.status import MESSAGE_END
 from procc_annotator.gui.window.tool_bar import IconButton
 from procc_annotator.gui.window.welcome import RecentMenu
 from procc_annotator.interaction.hints import SEPARATOR
-from tests.gui.conftest import sheet_text
+from tests.gui.conftest import SIZE, sheet_text
 
 MIDDLE = "Middle line"
 CTRL = Qt.KeyboardModifier.ControlModifier
@@ -368,13 +369,12 @@ class TestNotices:
         window.services.camera_sources.load_cameras(cameras)
         assert "has a JSON camera and a homography" in window.message_bar.label.text()
 
-    def test_opening_another_dataset_keeps_the_polyline_under_way(
-        self, window, hand, dataset, saved
-    ):
+    def test_opening_another_dataset_keeps_the_polyline_under_way(self, window, hand, dataset):
         window.services.selection.select_class("Middle line")
         clicked = [hand.click(100, 50), hand.click(120, 200)]
         window.opening.open_path(dataset)
-        np.testing.assert_allclose(saved(), clicked, atol=1e-9)
+        kept = window.services.state.annotation.get_unconfirmed("Middle line")
+        np.testing.assert_allclose(points_px(kept, SIZE), clicked, atol=1e-9)
 
     def test_ctrl_f_filters_the_frames_by_name(self, window, hand):
         hand.key(Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)

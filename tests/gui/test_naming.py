@@ -97,7 +97,9 @@ def test_a_frame_that_is_left_keeps_its_line(window, hand, saved):
     hand.click(300, 120)
     hand.key(Qt.Key.Key_D)
     assert window.services.state.frame_index == 1
-    assert len(saved(UNKNOWN)) == 2
+    hand.key(Qt.Key.Key_A)
+    assert len(saved(UNKNOWN)) == 0
+    assert len(window.services.state.annotation.get_unconfirmed(UNKNOWN).points) == 2
 
 
 def test_undo_takes_back_the_name_then_the_line(window, hand, qtbot, saved):

@@ -43,24 +43,19 @@ def why_not_deleted(title: str, dropped: int) -> str:
     return tr("{title} has no points in this frame: choose the element to delete", title=title)
 
 
-def waiting(title: str, frame: str) -> str:
-    """Return the message: a single click was kept when its frame was left."""
-    return tr(
-        "kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on",
+def unfinished(title: str, count: int, frame: str) -> str:
+    """Return the message: clicks of an element were kept when its frame was left."""
+    return tr_count(
+        count,
+        "kept {n} click of {title} on {frame}, unfinished: choose it there to go on",
+        "kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on",
         title=title,
         frame=frame,
     )
 
 
 def finished(title: str, count: int, frame: str) -> str:
-    """Return the message: an element was finished when its frame was left."""
-    if not frame:
-        return tr_count(
-            count,
-            "finished {title} with {n} point",
-            "finished {title} with {n} points",
-            title=title,
-        )
+    """Return the message: an element was finished before something else was done."""
     return tr_count(
         count,
         "finished {title} with {n} point on {frame}",
@@ -97,6 +92,7 @@ class Editor(QObject):
         services.store.watch(select.field, self._take_field)
         self.view_scale = 1.0
         self._asked_first: tuple[KeyTaker, ...] = ()
+        services.store.events.frameLeft.connect(lambda: self._end_draft(leaving=True))
         services.store.events.aboutToLeave.connect(self.finish)
         self.changed.connect(self._keep_clicks)
         services.store.watch(select.selection, self._finish_for_another_class)
@@ -302,9 +298,9 @@ class Editor(QObject):
         services.say(why_not_deleted(title, dropped), "info")
 
     def finish(self) -> None:
-        """The frame is about to be left: what is under way becomes an edit, a single click an
+        """Something else is about to be done: what is under way becomes an edit, a single click an
         unconfirmed element; either is said."""
-        self._end_draft(keep_selection=False)
+        self._end_draft()
         if self._edit.busy:
             self._do(self._edit.finish(self._context()))
 
@@ -379,7 +375,8 @@ class Editor(QObject):
         else:
             self._end_draft(keep_selection=True)
 
-    def _end_draft(self, *, keep_selection: bool) -> None:
+    def _end_draft(self, *, keep_selection: bool = False, leaving: bool = False) -> None:
+        """Finish what is being drawn; if the frame is left, a new element stays unfinished."""
         if not self._draw.busy:
             return
         name, count = self._draw.class_name, len(self._draw.points)
@@ -388,7 +385,9 @@ class Editor(QObject):
         if edit is None or name is None:
             return
         drawn = edit.annotation.get(name)
-        waits = drawn is not None and len(drawn.points) == 1  # it is no element yet
+        waits = drawn is not None and (
+            len(drawn.points) == 1 or (leaving and before.get(name) is None)
+        )
         if drawn is not None and waits:
             edit = replace(edit, annotation=editing.add_unconfirmed(before, [drawn]))
         self._commit(edit)
@@ -396,7 +395,9 @@ class Editor(QObject):
             self._services.selection.select_class(name)
         frame = self._services.state.frame_name or ""
         title = tr(self._services.state.field.title_of(name))
-        self._services.say(waiting(title, frame) if waits else finished(title, count, frame))
+        self._services.say(
+            unfinished(title, count, frame) if waits else finished(title, count, frame)
+        )
         self.changed.emit()
 
     def _keep_clicks(self) -> None:

@@ -9,7 +9,8 @@ class Events(QObject):
     """Events of the store; a change of the state is no event, but watched (`Store.watch`).
 
     Attributes:
-        aboutToLeave: the frame on screen is about to be left: finish what is in progress.
+        frameLeft: the frame on screen is about to be left: set aside what is being drawn.
+        aboutToLeave: something else is about to be done: finish what is in progress.
         flyTo: show this position of the picture (px).
         flyToArea: show this part of the picture (px: left, top, right, bottom).
         annotationEdited: the annotation on screen was edited, or its file was read again.
@@ -18,6 +19,7 @@ class Events(QObject):
         sourceAuditsChanged: more is known of the scores of a source in the frames of the dataset.
     """
 
+    frameLeft = Signal()
     aboutToLeave = Signal()
     flyTo = Signal(float, float)
     flyToArea = Signal(float, float, float, float)

@@ -505,7 +505,3 @@ def test_a_class_without_a_field_stays_in_its_frame(window, hand, qtbot):
     assert services.state.selected_class == "Circle central"
     services.navigator.next_frame()
     assert services.state.selected_class is None
-    field = services.state.field
-    services.selection.select_class(field.elements[0].name)
-    services.navigator.next_frame()
-    assert services.state.selected_class == field.elements[0].name

@@ -23,7 +23,6 @@ from procc_annotator.gui.state.navigation.field_choice import FieldChoice
 from procc_annotator.gui.state.review_state import BlindLock
 from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
 from procc_annotator.gui.state.second import SecondAnnotator
-from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache, decode_half_size
@@ -32,7 +31,7 @@ from procc_annotator.translation import tr
 
 
 class Navigator(QObject):
-    """Goes to frames; what is under way on the one on screen is finished first."""
+    """Goes to frames; what is under way on the one on screen is set aside or finished first."""
 
     def __init__(
         self,
@@ -60,7 +59,7 @@ class Navigator(QObject):
         self._soon = after_paint(self, self._foresee)
 
     def go_to(self, index: int) -> None:
-        """Show another frame; what is under way on this one is finished first."""
+        """Show another frame, with nothing chosen."""
         workspace = self._store.state.workspace
         if workspace is None or index == self._store.state.frame_index:
             return
@@ -127,8 +126,9 @@ class Navigator(QObject):
         self.go_to(self._store.state.frame_index - 1)
 
     def leave(self) -> None:
-        """The frame on screen is left, and may be another window's: what is under way is finished,
-        up to the disk."""
+        """The frame on screen is left, and may be another window's: what is being drawn is set
+        aside, what else is under way finished, up to the disk."""
+        self._store.events.frameLeft.emit()
         self._store.events.aboutToLeave.emit()
         self._editing.saver.settle(self._store.state.frame_index)
         self._scoring.settle()
@@ -161,13 +161,7 @@ class Navigator(QObject):
             found["picture_error"] = str(error)
         self._cache.prefetch(())  # what waited is not next any more
         self._soon.start()
-        found |= held(workspace, index)
-        state, annotation = self._store.state, found["annotation"]
-        if workspace is state.workspace and isinstance(annotation, FrameAnnotation):
-            # In the next frame of a dataset the same element is often the next one to draw.
-            kept = class_that_fits(state.selected_class, state.field, annotation)
-            found["selection"] = ChosenElement(kept)
-        return found
+        return found | held(workspace, index)
 
     @property
     def picture(self) -> PixelArray | None:
