@@ -414,6 +414,8 @@ class Hand:
         self.services.selection.select_class(class_name, continues=True)
         clicked = [self.click(*p) for p in points]
         self.key(Qt.Key.Key_Return)
+        if self.canvas.editor.drawing:  # keys reach the active window only
+            self.canvas.key("Enter")
         until_kept()
         return np.array(clicked)
 

@@ -92,11 +92,19 @@ class Player:
         self.model.changed(name, points)
 
     def draw_and_leave(self) -> None:
-        name, points = self.click_some(2)  # one alone would wait
-        model = self.model
-        if points is not None:
-            model.changed(name, points)
-        self.services.navigator.go_to((self.services.state.frame_index + 1) % FRAMES)
+        """A new element stays unfinished until it is chosen and finished; one that was there is
+        continued."""
+        name, points = self.click_some()
+        if points is None:
+            return
+        new = self.services.state.annotation.get(name) is None
+        here = self.services.state.frame_index
+        self.services.navigator.go_to((here + 1) % FRAMES)
+        self.services.navigator.go_to(here)
+        if new:
+            self.services.selection.select_class(name)
+            self.hand.key(Qt.Key.Key_Return)
+        self.model.changed(name, points)
 
     def give_up(self) -> None:
         _, points = self.click_some()
@@ -203,12 +211,18 @@ class Player:
         self.model.push(swapped)
 
     def undo(self) -> None:
-        self.hand.key(Qt.Key.Key_Z, CTRL)
+        self._step(CTRL)
         self.model.at = max(0, self.model.at - 1)
 
     def redo(self) -> None:
-        self.hand.key(Qt.Key.Key_Z, CTRL | SHIFT)
+        self._step(CTRL | SHIFT)
         self.model.at = min(len(self.model.states) - 1, self.model.at + 1)
+
+    def _step(self, held: Qt.KeyboardModifier) -> None:
+        """One step, or two past an unfinished element, which the model does not know."""
+        self.hand.key(Qt.Key.Key_Z, held)
+        if self.services.state.annotation.unconfirmed:
+            self.hand.key(Qt.Key.Key_Z, held)
 
     def go(self) -> None:
         self.services.navigator.go_to(self.random.randrange(FRAMES))

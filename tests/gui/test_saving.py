@@ -102,12 +102,15 @@ def test_a_file_changed_outside_waits_for_a_decision(window, hand, dataset, save
         assert window.services.state.annotation.annotated == (MIDDLE, "Goal left crossbar")
 
 
-def test_closing_finishes_a_draft_and_saves_it(window, hand, saved):
+@pytest.mark.new_window
+def test_closing_keeps_clicks_under_way_unfinished(window, hand, dataset, saved, make_window):
     window.services.selection.select_class(MIDDLE)
     hand.click(100, 50)
     hand.click(120, 200)
     assert window.close()
-    assert len(saved()) == 2
+    assert len(saved()) == 0
+    again = make_window(dataset)
+    assert len(again.services.state.annotation.get_unconfirmed(MIDDLE).points) == 2
 
 
 @pytest.mark.parametrize("leave", [True, False])
