@@ -97,6 +97,7 @@ def test_left_on_the_map_is_left_in_the_picture(judged, qtbot):
     assert far.y() < middle.y()
     assert left.x() < middle.x()
     services.navigator.go_to(1)
+    assert services.visible_region.shown is None  # not what the frame before had in sight
     qtbot.waitUntil(lambda: services.visible_region.turns == 1)
     # From behind the right goal its far side is the left one, and its own goal lies near.
     px, _ = SIDES[1].project(np.array([(40, 20, 0), (40, -20, 0), (48, 0, 0), (30, 0, 0.0)]))

@@ -35,6 +35,7 @@ class MarkingPoints:
 
     Attributes:
         names: (E,) classes, those of the field that are painted lines or bars.
+        titles: (E,) of these, shown to people.
         world: (3, N) metres.
         along: (3, N) unit vectors along the element.
         across: (3, N) unit vectors across it, in the plane of the paint; 0 for bars, which show
@@ -49,6 +50,7 @@ class MarkingPoints:
     """
 
     names: tuple[str, ...]
+    titles: tuple[str, ...]
     world: FloatArray
     along: FloatArray
     across: FloatArray
@@ -84,11 +86,12 @@ def _marking_points(elements: tuple[Element, ...]) -> MarkingPoints:
         rows = np.zeros(0, dtype=np.intp)
         none_required = np.zeros(0, dtype=bool)
         return MarkingPoints(
-            (), nothing, nothing, nothing, rows, rows, np.zeros(0), rows, none_required
+            (), (), nothing, nothing, nothing, rows, rows, np.zeros(0), rows, none_required
         )
     element_of = np.repeat(owners, counts)
     return MarkingPoints(
         tuple(e.name for e in sought),
+        tuple(e.title for e in sought),
         np.concatenate(world).T.copy(),
         np.concatenate(along).T.copy(),
         np.concatenate(across).T.copy(),

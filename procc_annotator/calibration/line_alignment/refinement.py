@@ -303,7 +303,8 @@ def displaced_elements_text(
     if not beside:
         return ""
     number = max(beside, key=lambda own: beside[own])
-    name, px, more = painted.names[number], beside[number] / frame.scale, len(beside) - 1
+    name, px = translatable(painted.titles[number]), beside[number] / frame.scale
+    more = len(beside) - 1
     if not more:
         return translatable("{name} lies {px:.0f} px beside its paint", name=name, px=px)
     return translatable(

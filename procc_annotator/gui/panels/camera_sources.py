@@ -403,7 +403,7 @@ class SourceList(QWidget):
         self._listed: tuple[CameraSource, ...] = ()
         self.rows: list[SourceRow] = []
         tip = tr("Judge nothing, draw no camera")
-        self.none = named(QRadioButton(tr("no camera")), "cameras_none", tip=tip)
+        self.none = named(QRadioButton(tr("none judged")), "cameras_none", tip=tip)
         self.none.clicked.connect(lambda: services.camera_sources.set_active_camera(NO_CAMERA))
         self._group = QButtonGroup(self)
         self._group.addButton(self.none)

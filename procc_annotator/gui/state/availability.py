@@ -22,6 +22,8 @@ def no_source(state: State) -> str:
     """No camera source is active."""
     if state.active is not None:
         return ""
+    if state.sources:
+        return tr("choose the camera to judge first (C)")
     return tr("load cameras first: there is nothing to score")
 
 

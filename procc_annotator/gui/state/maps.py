@@ -213,9 +213,10 @@ _KEPT = 8
 class VisibleFieldRegion(QObject):
     """Follows the camera that ghosts go by, else the one that is judged.
 
-    While the next one is worked out the sight before stays, so that the map does not flicker with
-    every click. A frame without a camera has nothing in sight; its map stays turned as it was, for
-    cameras of one set stand on one side. In blind mode nothing of it is reported.
+    While the next one of a frame is worked out the sight before stays, so that the map does not
+    flicker with every click. A frame without a camera, or whose camera is not known yet, has
+    nothing in sight; its map stays turned as it was, for cameras of one set stand on one side. In
+    blind mode nothing of it is reported.
     """
 
     changed = Signal()
@@ -225,13 +226,14 @@ class VisibleFieldRegion(QObject):
         self._store, self._prediction, self._scorer = store, prediction, scorer
         self.wanted = True
         self._sight: VisibleField | None = None
+        self._sight_of: str | None = None  # its frame
         self._sure = True
         self._turns = 0
         self._signalled: tuple[object, ...] = ()
         self._found = ComputedValue(self._made_of, _look_at, self, cache_size=_KEPT)
         self._found.changed.connect(self._take)
         store.watch(lambda s: (s.workspace, s.field), self._begin_anew)
-        store.watch(select.blind, self._look)
+        store.watch(lambda s: (select.blind(s), select.frame(s)), self._look)
         store.keep_current(self._found)
         prediction.changed.connect(self._look)
 
@@ -245,7 +247,8 @@ class VisibleFieldRegion(QObject):
     def shown(self) -> VisibleField | None:
         """Return what is in sight in the frame on screen; None where no camera is known, or may
         be."""
-        return self._sight if self._allowed else None
+        of_this = self._sight_of == self._store.state.frame_name
+        return self._sight if self._allowed and of_this else None
 
     @property
     def turns(self) -> int:
@@ -291,7 +294,7 @@ class VisibleFieldRegion(QObject):
 
     def _take(self, *_: object) -> None:
         if not (self._found.working or self._prediction.working):
-            self._sight = self._found.value
+            self._sight, self._sight_of = self._found.value, self._store.state.frame_name
             self._sure = not (self._prediction.stands_in and self._prediction.doubt)
             if self._sight is not None:
                 self._turns = self._sight.turns

@@ -65,7 +65,7 @@ class TauControl(QWidget):
             self.spin.setValue(tau)
 
 
-_NO_CAMERA = word("no camera")
+_NO_CAMERA = word("none judged")
 _WIDEST_CAMERA = 14  # average letters
 _JAC_TIP = word("Jaccard index of this frame at tau")
 
