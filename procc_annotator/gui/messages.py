@@ -252,6 +252,17 @@ def ask_to_replace(parent: QWidget, what: str, lost: str) -> bool:
     return _ask(parent, text, lost, tr("Keep it"), tr("Replace it"))
 
 
+def ask_to_approve(parent: QWidget | None, open_comments: int) -> bool:
+    """Approve a frame although comments on it are open?"""
+    text = tr_count(
+        open_comments,
+        "{n} comment on this frame is not settled.",
+        "{n} comments on this frame are not settled.",
+    )
+    todo = tr("A tick in the Review panel settles a comment.")
+    return _ask(parent, text, todo, tr("Do not approve"), tr("Approve"))
+
+
 def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
     """Close although something could not be written?"""
     text = tr_count(
@@ -264,7 +275,7 @@ def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
 
 
 def _ask(
-    parent: QWidget,
+    parent: QWidget | None,
     text: str,
     lost: str,
     no: str,

@@ -113,6 +113,37 @@ class TestStatus:
         combo.activated.emit(combo.findData(Status.REJECTED))
         assert status(services) is Status.REJECTED
 
+    @pytest.mark.parametrize("way", ["button", "key", "list"])
+    def test_a_frame_with_an_open_comment_is_approved_once_that_was_asked(
+        self, window, monkeypatch, qtbot, way
+    ):
+        services, panel, answers, asked = window.services, window.review, [False, True], []
+
+        def answer(_parent: object, count: int) -> bool:
+            asked.append(count)
+            return answers.pop(0)
+
+        monkeypatch.setattr("procc_annotator.gui.panels.review.ask_to_approve", answer)
+        window.panels.show("review")
+        qtbot.waitUntil(panel.approve.isVisible)
+        services.review.add_comment("frame_0", "left post is hidden")
+        do = {
+            "button": lambda: QTest.mouseClick(panel.approve, Qt.MouseButton.LeftButton),
+            "key": lambda: QTest.keyClick(window.canvas, Qt.Key.Key_A, CTRL | SHIFT),
+            "list": lambda: panel.status.activated.emit(panel.status.findData(Status.APPROVED)),
+        }[way]
+        do()
+        assert status(services) is Status.UNTOUCHED
+        do()
+        assert status(services) is Status.APPROVED
+        assert asked == [1, 1]
+        QTest.mouseClick(panel.reject, Qt.MouseButton.LeftButton)
+        assert status(services) is Status.REJECTED
+        services.review.resolve_comment(services.review.comments("frame_0")[0], True)
+        do()
+        assert status(services) is Status.APPROVED
+        assert asked == [1, 1]
+
 
 class TestComments:
     def test_a_comment_has_author_and_time_and_can_be_settled(self, panel, services, qtbot):

@@ -22,6 +22,7 @@ from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.dataset.records import Status
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.gui.canvas.canvas import Canvas
+from procc_annotator.gui.panels.review import give_status
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.availability import no_source
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
@@ -206,12 +207,7 @@ class StatusWalk:
 
     def set_status(self, status: str) -> None:
         """Give the frame on screen a status."""
-        services = self._services
-        if (frame := services.state.frame) is None:
-            return
-        services.store.events.aboutToLeave.emit()
-        services.review.set_status(frame.name, Status(status))
-        services.say(tr("{frame} is {status}", frame=frame.name, status=tr(status, "a frame")))
+        give_status(self._services, Status(status))
 
     def _status(self, workspace: Workspace, index: int) -> Status:
         return self._services.review.status(workspace.frames[index].name)

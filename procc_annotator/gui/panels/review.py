@@ -6,14 +6,17 @@ from datetime import datetime
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
+    QApplication,
     QComboBox,
     QLabel,
     QListWidget,
     QListWidgetItem,
+    QPushButton,
 )
 
 from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
+from procc_annotator.gui.messages import ask_to_approve
 from procc_annotator.gui.panels.widgets import (
     Panel,
     hbox,
@@ -94,6 +97,8 @@ class ReviewPanel(Panel):
         self.comments.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self.comments.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.comments.itemChanged.connect(self._settle)
+        self.approve = self._verdict(tr("Approve"), Status.APPROVED)
+        self.reject = self._verdict(tr("Reject"), Status.REJECTED)
         self.empty = QLabel(tr("No comments on this frame."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         hint = tr("Comment on this frame")
@@ -103,6 +108,7 @@ class ReviewPanel(Panel):
         self.send = make_button(tr("Add"), self._send, tip=tip)
         vbox(
             hbox((self.status, 1), self.time),
+            hbox(self.approve, self.reject),
             self.blind,
             self.origins,
             (self.empty, 1),
@@ -112,11 +118,20 @@ class ReviewPanel(Panel):
             margins=6,
         )
 
+    def _verdict(self, text: str, status: Status) -> QPushButton:
+        return make_button(
+            text,
+            lambda: give_status(self._services, status),
+            f"review_{status.value}",
+            tip=tr(STATUS_TIPS[status]),
+            wide=True,
+        )
+
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
         services, frame = self._services, self._services.state.frame
-        for part in (self.status, self.text, self.send):
+        for part in (self.status, self.approve, self.reject, self.text, self.send):
             part.setEnabled(frame is not None)
         if frame is None:
             self.time.clear()
@@ -194,9 +209,8 @@ class ReviewPanel(Panel):
             self._services.editing.commit_frame()
             self._refresher.request()  # in blind mode an empty frame is not committed at once
         else:
-            # What is in progress is part of what is judged.
-            self._services.store.events.aboutToLeave.emit()
-            self._services.review.set_status(frame.name, status)
+            give_status(self._services, status)
+            self._refresher.request()  # or the frame was not approved after all
 
     def _send(self) -> None:
         frame = self._services.state.frame
@@ -228,6 +242,19 @@ class ReviewPanel(Panel):
             self.left.emit()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._send()
+
+
+def give_status(services: Services, status: Status) -> None:
+    """Give the frame on screen a status; ask before one with open comments is approved."""
+    if (frame := services.state.frame) is None:
+        return
+    services.store.events.aboutToLeave.emit()  # what is in progress is part of what is judged
+    comments = services.review.comments(frame.name)
+    left = sum(not c.resolved for c in comments) if status is Status.APPROVED else 0
+    if left and not ask_to_approve(QApplication.activeWindow(), left):
+        return
+    services.review.set_status(frame.name, status)
+    services.say(tr("{frame} is {status}", frame=frame.name, status=tr(status.value, "a frame")))
 
 
 def _duration(seconds: float) -> str:
