@@ -4,7 +4,7 @@ to export.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -87,6 +87,11 @@ class Workspace:
         """
         root, frames, notices = list_frames(path, annotations)
         return cls(path, frames, field, notices, root)
+
+    def only(self, names: Collection[str]) -> Workspace:
+        """Return the same dataset with some of its frames, none of them read yet."""
+        frames = tuple(frame for frame in self.frames if frame.name in names)
+        return Workspace(self.root, frames, self.field, self.notices, self.folder)
 
     @property
     def annotations(self) -> Path:

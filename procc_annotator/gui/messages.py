@@ -127,7 +127,7 @@ class Bar(QWidget):
 
 
 _USUAL_REMEDY = word("Choose another place…")
-_REMEDIES = {"save": word("Save again"), "copy_error": word("Copy details")}
+_REMEDIES = {"save_copies": word("Save copies to…"), "copy_error": word("Copy details")}
 
 
 class MessageBar(Bar):
@@ -261,6 +261,18 @@ def ask_to_approve(parent: QWidget | None, open_comments: int) -> bool:
     )
     todo = tr("A tick in the Review panel settles a comment.")
     return _ask(parent, text, todo, tr("Do not approve"), tr("Approve"))
+
+
+def ask_done_only(parent: QWidget, unfinished: int, total: int) -> bool | None:
+    """Export only the frames that are done? None: export nothing."""
+    text = tr("{n:,} of {total:,} frames are not done.", n=unfinished, total=total)
+    box = QMessageBox(QMessageBox.Icon.Question, "", text, parent=parent)
+    every = box.addButton(tr("Export all"), QMessageBox.ButtonRole.AcceptRole)
+    done = box.addButton(tr("Done only"), QMessageBox.ButtonRole.AcceptRole)
+    box.addButton(QMessageBox.StandardButton.Cancel)
+    box.exec()
+    clicked = box.clickedButton()
+    return clicked is done if clicked in (every, done) else None
 
 
 def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:

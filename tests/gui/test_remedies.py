@@ -1,11 +1,15 @@
 """What an error says can be done stands beside it as a button; nothing is said twice."""
 
+import json
+from pathlib import Path
+
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog
 
-from procc_annotator.gui.state.messages import notify, withdraw
-from procc_annotator.gui.state.state import UNSAVED
+from procc_annotator.dataset.records import Status
+from procc_annotator.errors import SaveError
 from tests.gui.conftest import until_kept
 
 
@@ -26,12 +30,53 @@ def test_another_place_is_a_click_away(window, hand, tmp_path, qtbot, monkeypatc
     qtbot.waitUntil((tmp_path / "out.zip").exists)
 
 
-def test_what_is_not_saved_can_be_saved_again(window):
-    bar, store = window.message_bar, window.services.store
-    notify(store, UNSAVED, "frame_0.json: could not be saved", "error", remedy="save")
-    assert bar.remedy.isVisible()
-    assert bar.remedy.text() == "Save again"
-    withdraw(store, UNSAVED)
+@pytest.mark.parametrize(("done_only", "written"), [(True, 1), (False, 2), (None, 0)])
+def test_an_export_says_what_is_not_done_and_may_leave_it_out(
+    window, hand, tmp_path, qtbot, monkeypatch, done_only, written
+):
+    for _ in range(2):
+        hand.draw("Middle line", (300, 50), (300, 300))
+        window.services.navigator.next_frame()
+    window.services.review.set_status("frame_0", Status.DONE)
+    asked = []
+
+    def answer(_parent: object, *counts: int) -> bool | None:
+        asked.append(counts)
+        return done_only
+
+    monkeypatch.setattr("procc_annotator.gui.commands.exporting.ask_done_only", answer)
+    out = tmp_path / "out"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), "(*)"))
+    window.actions_["export_annotations"].trigger()
+    assert asked == [(2, 3)]
+    if written:
+        qtbot.waitUntil(lambda: "exported" in window.status.hint.text())
+    assert len(list(out.glob("*.json")) if out.is_dir() else []) == written
+
+
+def test_copies_of_what_is_not_saved_go_elsewhere(
+    window, hand, dataset, tmp_path, qtbot, monkeypatch
+):
+    def refuse(path: Path, *_: object, **__: object) -> None:
+        raise SaveError(f"{path}: could not be saved: Permission denied")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("procc_annotator.dataset.saving.write_atomic", refuse)
+        bar, services = window.message_bar, window.services
+        hand.draw("Middle line", (300, 50), (300, 300))
+        assert window.isWindowModified()
+        services.navigator.next_frame()
+        assert not window.isWindowModified()  # the star is that of the frame on screen
+        assert bar.label.text().count("could not be saved") == 1
+        assert bar.remedy.text() == "Save copies to…"
+        patch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path / "copies"))
+        QTest.mouseClick(bar.remedy, Qt.MouseButton.LeftButton)
+        copy = tmp_path / "copies" / "frame_0.json"
+        qtbot.waitUntil(copy.exists)
+        assert len(json.loads(copy.read_text())["Middle line"]) == 2
+    services.saver.retry()
+    until_kept()
+    assert json.loads((dataset / "frame_0.json").read_text()) == json.loads(copy.read_text())
     assert not bar.isVisible()
     window.services.say("something else", "warning")
     assert bar.isVisible()

@@ -3,25 +3,28 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QTimer
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QFileDialog, QWidget
 
 from procc_annotator.batch.calibration import fitted_folder, save_fit
 from procc_annotator.calibration.result import ill_conditioned_reason
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.workspace import Workspace, dataset_frames
 from procc_annotator.errors import ProccError
-from procc_annotator.formats.atomic import write_atomic
+from procc_annotator.formats.annotations.soccernet import write_annotation
+from procc_annotator.formats.atomic import make_folder, write_atomic
 from procc_annotator.gui.commands.dialogs import DialogTask
-from procc_annotator.gui.messages import ask_where, opened_frame, write
+from procc_annotator.gui.messages import ask_done_only, ask_where, opened_frame, write
 from procc_annotator.gui.state.availability import no_source
 from procc_annotator.gui.state.background import JobControl, Priority, run_in_background
 from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.review_state import UNFINISHED
 from procc_annotator.gui.state.services import Services
 from procc_annotator.report.export import Exported, Scoring, export_dataset, export_scores
 from procc_annotator.report.provenance import export_provenance
@@ -34,6 +37,18 @@ if TYPE_CHECKING:
 
 
 _LISTED = 200
+
+
+def _frames_to_export(services: Services, parent: QWidget) -> Collection[str] | None:
+    """Return the names of all frames, or of those that are done if some are and only these are
+    wanted; None if nothing is to be exported."""
+    frames = services.state.workspace.frames if services.state.workspace is not None else ()
+    names = [frame.name for frame in frames]
+    done = {name for name in names if services.review.status(name) not in UNFINISHED}
+    if not done or len(done) == len(names):
+        return names
+    wanted = ask_done_only(parent, len(names) - len(done), len(names))
+    return None if wanted is None else done if wanted else names
 
 
 class ExportAs(DialogTask):
@@ -53,8 +68,8 @@ class ExportAs(DialogTask):
         dialog.cancelled.connect(self.cancel)
         dialog.open()
 
-    def start(self, out: Path) -> None:
-        """Write to a folder or archive, as the dialog says."""
+    def start(self, out: Path, only: Collection[str] | None = None) -> None:
+        """Write to a folder or archive, as the dialog says, ``only`` frames of these names."""
         from procc_annotator.report.conversion import export_as
         from procc_annotator.report.conversion_output import ConversionRequest
 
@@ -63,7 +78,7 @@ class ExportAs(DialogTask):
             return
         unsaved = tr("Not everything could be saved: what is on disk goes.")
         said = "" if services.editing.save_now() else unsaved
-        review, reopen = services.review, services.opening.reopener()
+        review, reopen = services.review, services.opening.reopener(only)
         drafts = set(review.database.drafts()) if review.database is not None else set()
         wanted = ConversionRequest(
             dialog.format.name,
@@ -89,9 +104,10 @@ class ExportAs(DialogTask):
     def _ask_path(self) -> None:
         workspace = self._services.state.workspace
         if self.dialog is not None and workspace is not None:
-            out = self.dialog.ask_path(workspace.folder.parent)
+            only = _frames_to_export(self._services, self.dialog)
+            out = None if only is None else self.dialog.ask_path(workspace.folder.parent)
             if out is not None:
-                self.start(out)
+                self.start(out, only)
 
     def _leave(self) -> None:
         if self._work.cancel():
@@ -160,7 +176,38 @@ class Exporter:
 
     def ask_annotations(self) -> None:
         """Ask for a zip archive (or a folder's name) and write SoccerNet JSON there."""
-        self._ask("annotations.zip", tr("Zip archive (*.zip);;Folder (*)"), self.write_annotations)
+        if (only := _frames_to_export(self._services, self._parent)) is not None:
+            kinds = tr("Zip archive (*.zip);;Folder (*)")
+            self._ask("annotations.zip", kinds, partial(self.write_annotations, only=only))
+
+    def save_copies(self) -> None:
+        """Ask for a folder and write what is not saved there, under the names of its frames."""
+        services, workspace = self._services, self._services.state.workspace
+        dirty = [] if workspace is None else workspace.dirty_frames()
+        if workspace is None or not dirty:
+            services.say(tr("everything is saved in its own place"))
+            return
+        chosen = QFileDialog.getExistingDirectory(self._parent, tr("Save copies to"))
+        if not chosen:
+            return
+        names = {index: workspace.frames[index].name for index in dirty}
+        copies = {Path(chosen, f"{name}.json"): workspace.read(i) for i, name in names.items()}
+
+        def work(_: JobControl) -> int:
+            for path, annotation in copies.items():
+                make_folder(path.parent)
+                write_atomic(path, write_annotation(annotation))
+            return len(copies)
+
+        def said(count: int) -> str:
+            return tr_count(
+                count,
+                "copied {n:,} frame to {folder}; it is not saved in its own place yet",
+                "copied {n:,} frames to {folder}; they are not saved in their own place yet",
+                folder=chosen,
+            )
+
+        write(services, work, said, again="save_copies")
 
     def ask_scores(self) -> None:
         """Ask for a file and write the JaC of every frame there."""
@@ -218,13 +265,15 @@ class Exporter:
 
         self._run(work, "export_provenance")
 
-    def write_annotations(self, path: Path) -> None:
-        """Write SoccerNet JSON of all annotated frames to a folder or zip archive."""
+    def write_annotations(self, path: Path, only: Collection[str] | None = None) -> None:
+        """Write SoccerNet JSON of all annotated frames, or ``only`` of these, to a folder or zip
+        archive."""
         self._run(
             lambda workspace, progress: export_dataset(
                 dataset_frames(workspace), path, progress=progress
             ),
             "export_annotations",
+            only,
         )
 
     def write_scores(self, path: Path) -> None:
@@ -350,7 +399,7 @@ class Exporter:
         if (path := ask_where(self._services, self._parent, tr("Export"), name, kinds)) is not None:
             then(path)
 
-    def _run(self, work: Work, again: str) -> None:
+    def _run(self, work: Work, again: str, only: Collection[str] | None = None) -> None:
         services = self._services
         if opened_frame(services) is None:
             return
@@ -358,7 +407,7 @@ class Exporter:
             services.say(
                 tr("not everything could be saved: the export has the last saved state"), "warning"
             )
-        reopen = services.opening.reopener()
+        reopen = services.opening.reopener(only)
 
         def export(control: JobControl) -> Exported:
             return work(reopen(), control.progress)

@@ -175,7 +175,7 @@ class CamerasPanel(Panel):
     def _build(self) -> None:
         self.empty = empty_state(
             tr(
-                "No cameras loaded.\nLoad a folder of SoccerNet camera files or homographies "
+                "No cameras loaded.\nLoad a folder of camera files or homographies "
                 "to see them judged against your clicks."
             ),
             "cameras_empty",

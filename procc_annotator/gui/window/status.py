@@ -366,7 +366,7 @@ class MessageRouter(QObject):
         conflict = saver.conflict(self._services.state.frame_index)
         self._conflicts.tell(str(conflict) if conflict is not None else "")
         self._window.setWindowTitle(f"{frame.name}[*]" if frame is not None else _TITLE)
-        self._window.setWindowModified(bool(saver.problems))
+        self._window.setWindowModified(self._services.state.frame_index in saver.problems)
 
     def _hide_message(self) -> None:
         if self._services.state.blind:  # it may contain the score of a camera

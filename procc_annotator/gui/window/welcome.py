@@ -31,7 +31,7 @@ class Welcome(QWidget):
         title.setFont(font)
         text = make_label(
             tr(
-                "Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a"
+                "Annotations are read from and saved as JSON next to the pictures. Drop a"
                 " folder of cameras later, to see them judged against your clicks."
             ),
             wrap=True,

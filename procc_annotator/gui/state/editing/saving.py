@@ -177,7 +177,7 @@ class Saver(QObject):
             withdraw(self._store, UNSAVED)
 
     def _fail(self, error: Exception) -> None:
-        notify(self._store, UNSAVED, str(error), "error", remedy="save")
+        notify(self._store, UNSAVED, str(error), "error", remedy="save_copies")
 
     def conflict(self, index: int) -> ChangedOnDiskError | None:
         """The frame's conflict with a change made outside, waiting for a decision."""
