@@ -236,6 +236,9 @@ GHOST_SUPPORT = Setting("ghost_support", NUMBER, LEAST_SUPPORT,
                         shown=Shown(_FIT, "Line seen to accept all", limits=(0, 100, 5),
                                     unit=" %", times=100))
 FOLDER = Setting("folder", TEXT, _HOME, "Where pictures were opened last")
+VIDEO_EVERY = Setting("video_every", NUMBER, 1.0, "Seconds between frames of the last video")
+VIDEO_SCENES = Setting("video_scenes", FLAG, False, "Whether its scenes' first frames were opened")
+VIDEO_FIELD = Setting("video_field", TEXT, "", "The field that was chosen for it")
 SECOND = Setting("second", TEXT, _HOME, "The second annotator's folder that was opened last")
 CAMERAS = Setting("cameras", TEXT, _HOME, "Where cameras were loaded last")
 FIELD_FOLDER = Setting("field_folder", TEXT, _HOME, "Where a field file was chosen last")

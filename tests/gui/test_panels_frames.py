@@ -106,6 +106,27 @@ def test_the_filter_narrows_by_name(qtbot, panel, services):
     assert panel.list.currentIndex().row() == 5
 
 
+def test_next_and_previous_stay_within_the_filter(window, hand, qtbot):
+    services, where = window.services, lambda: window.services.state.frame_index
+    services.review.set_status("frame_1", Status.DONE)
+    window.frames.filter.setText("-state:done")
+    qtbot.waitUntil(lambda: window.frames.model.shown == 2)
+    hand.key(Qt.Key.Key_D)
+    assert where() == 2
+    hand.key(Qt.Key.Key_D)
+    assert where() == 2
+    assert "no further frame" in window.status.hint.text()
+    services.review.set_status("frame_0", Status.DONE)
+    qtbot.waitUntil(lambda: window.frames.model.shown == 1)
+    services.navigator.go_to(1)
+    hand.key(Qt.Key.Key_A)
+    assert where() == 1
+    window.frames.filter.clear()
+    qtbot.waitUntil(lambda: window.frames.model.shown == 3)
+    hand.key(Qt.Key.Key_A)
+    assert where() == 0
+
+
 def test_enter_in_the_filter_goes_to_the_first_match(qtbot, panel, services):
     qtbot.keyClicks(panel.filter, "12")
     qtbot.keyClick(panel.filter, Qt.Key.Key_Return)

@@ -16,6 +16,7 @@ KEPT = {
     "state",
     "author",
     "desks",
+    *("video_every", "video_scenes", "video_field"),
     "tau",
     "protocol",
     "off_plane",

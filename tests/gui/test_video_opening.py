@@ -1,5 +1,6 @@
 """Opening a video in the window: which frames, annotating them, keeping them as pictures."""
 
+import shutil
 import threading
 from pathlib import Path
 
@@ -92,6 +93,24 @@ def test_the_dialog_shows_the_field_and_asks_it(make_window, qtbot, match, chose
     assert window.opening.open_path(match)  # and the dataset remembers it
     qtbot.waitUntil(lambda: len(window.findChildren(VideoDialog)) > 0)
     assert window.findChildren(VideoDialog)[-1].field.currentData() == chosen
+
+
+@pytest.mark.new_window
+def test_what_was_chosen_is_offered_for_the_next_video(make_window, qtbot, match):
+    window = make_window()
+    dialog = asked(window, qtbot, match)
+    dialog.seconds.setValue(2.0)
+    dialog.field.setCurrentIndex(dialog.field.findData("tennis"))
+    accept(window, dialog, qtbot)
+    assert len(names(window)) == 2
+    other = match.with_name("other.avi")
+    shutil.copy(match, other)
+    again = make_window()
+    dialog = asked(again, qtbot, other)
+    assert (dialog.seconds.value(), dialog.cuts.isChecked()) == (2.0, False)
+    assert dialog.field.currentData() == "tennis"
+    accept(again, dialog, qtbot)
+    qtbot.waitUntil(lambda: again.services.state.field.name == "tennis")
 
 
 def test_the_interface_opens_no_video_itself(make_window, qtbot, match, monkeypatch):

@@ -226,7 +226,9 @@ class StatusWalk:
         here, count = services.state.frame_index, len(workspace.frames)
         ahead = range(here + step, count if step > 0 else -1, step)
         order = [*ahead, *(range(here) if around else ())]
-        found = next((index for index in order if wanted(workspace, index)), None)
+        within = services.navigator.within
+        shown = (index for index in order if within is None or index in within)
+        found = next((index for index in shown if wanted(workspace, index)), None)
         if found is None:
             services.say(none_left)
         else:

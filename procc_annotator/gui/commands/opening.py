@@ -30,13 +30,24 @@ from procc_annotator.dataset.layout import copy_sample, frames_folder
 from procc_annotator.dataset.season import is_list, kinds_met_first
 from procc_annotator.dataset.sequence import keep_frame, open_video
 from procc_annotator.errors import FieldError, ProccError
-from procc_annotator.field.load import field_titles, load_field
+from procc_annotator.field.load import field_names, field_titles, load_field
 from procc_annotator.field.model import Field
 from procc_annotator.gui.commands.dialogs import dialog_buttons
 from procc_annotator.gui.commands.season import SeasonTask
 from procc_annotator.gui.messages import write
 from procc_annotator.gui.panels.widgets import DecimalBox, choice
-from procc_annotator.gui.settings import CAMERAS, FOLDER, RECENT, SECOND, SOURCES, Setting, Settings
+from procc_annotator.gui.settings import (
+    CAMERAS,
+    FOLDER,
+    RECENT,
+    SECOND,
+    SOURCES,
+    VIDEO_EVERY,
+    VIDEO_FIELD,
+    VIDEO_SCENES,
+    Setting,
+    Settings,
+)
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.services import Services
@@ -47,7 +58,6 @@ from procc_annotator.translation import tr, tr_count
 
 T = TypeVar("T")
 
-DEFAULT_INTERVAL_S = 1.0
 # Short work needs no window that says so.
 _PATIENCE_MS = 400
 
@@ -71,7 +81,6 @@ class VideoDialog(QDialog):
         self.seconds = DecimalBox()
         self.seconds.setRange(0.02, 3600.0)
         self.seconds.setDecimals(2)
-        self.seconds.setValue(DEFAULT_INTERVAL_S)
         self.seconds.setSuffix(" s")
         self.cuts = QRadioButton(tr("The first frame of every scene"))
         self.cuts.setToolTip(tr("Looks through the whole video for cuts; this takes a while"))
@@ -98,8 +107,14 @@ class VideoDialog(QDialog):
 class VideoOpening:
     """Asks which frames, finds them in the background, and opens them as a dataset."""
 
-    def __init__(self, services: Services, parent: QWidget, opened: Callable[[Path], None]) -> None:
-        self._services = services
+    def __init__(
+        self,
+        services: Services,
+        settings: Settings,
+        parent: QWidget,
+        opened: Callable[[Path], None],
+    ) -> None:
+        self._services, self._settings = services, settings
         self._parent = parent
         self._opened = opened
         self._work = LatestOnlyTask(services, self._fail)
@@ -111,20 +126,24 @@ class VideoOpening:
         """Read how many frames a video has, then show the dialog; ``field``: what it shows, where
         that was said already."""
 
-        def read(_: JobControl) -> tuple[Video, Field]:
+        last = self._settings.get(VIDEO_FIELD)
+
+        def read(_: JobControl) -> tuple[Video, Field, bool]:
             video = open_shared_video(path)  # its first picture is shown by the same one
             video.read_index()  # reads through the file: here, not when the dialog asks
             if field is not None:
-                return video, field
+                return video, field, True
             try:
-                return video, field_of_dataset(path).field
+                found = field_of_dataset(path)
             except FieldError:  # opening says what is wrong with the dataset's own
-                return video, load_field()
+                return video, load_field(), False
+            asks = not found.chosen and last in field_names()
+            return video, load_field(last) if asks else found.field, asks
 
         self._run(
             tr("Reading {file}", file=path.name),
             read,
-            lambda found: self._show_dialog(*found, said=field is not None),
+            lambda found: self._show_dialog(*found),
         )
 
     def cancel(self) -> None:
@@ -132,12 +151,18 @@ class VideoOpening:
         self._work.cancel()
         self._end_progress()
 
-    def _show_dialog(self, video: Video, shown: Field, *, said: bool) -> None:
+    def _show_dialog(self, video: Video, shown: Field, said: bool) -> None:
+        """Ask which frames; ``said``: the field that is shown is new to the dataset."""
         decided = own_field_file(frames_folder(video.path)) is not None
         dialog = VideoDialog(self._parent, video, shown, decided=decided)
+        dialog.seconds.setValue(self._settings.get(VIDEO_EVERY))
+        dialog.cuts.setChecked(self._settings.get(VIDEO_SCENES))
 
         def take() -> None:
             name = dialog.field.currentData()
+            self._settings.set(VIDEO_EVERY, dialog.seconds.value())
+            self._settings.set(VIDEO_SCENES, dialog.cuts.isChecked())
+            self._settings.set(VIDEO_FIELD, name or "")
             same = dialog.field.currentIndex() == dialog.shown_at
             self._choose(dialog, video, (shown if said else None) if same else name)
 
@@ -360,7 +385,7 @@ class OpeningTask(QObject):
         self._settings = settings
         self._window = window
         self._copying = LatestOnlyTask(self, lambda why: services.say(why, "warning"))
-        self.video = VideoOpening(services, window, self._remember)
+        self.video = VideoOpening(services, settings, window, self._remember)
         self.season = SeasonTask(
             services, settings, window, lambda path, field: self.open_path(path, field=field)
         )

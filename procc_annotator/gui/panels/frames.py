@@ -235,6 +235,7 @@ class FramesPanel(Panel):
         self._show_current()
 
     def _take_found(self, rows: list[int] | None) -> None:
+        self._services.navigator.within = None if rows is None else frozenset(rows)
         self.model.show_only(rows)
         self._show_which()
         self._show_current()

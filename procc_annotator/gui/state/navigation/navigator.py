@@ -55,6 +55,7 @@ class Navigator(QObject):
         )
         # The picture of a frame to come to; the frame itself says that it cannot be read.
         self._bringing = LatestOnlyTask(self, None, priority=Priority.IMMEDIATE)
+        self.within: frozenset[int] | None = None  # the frames that a filter shows; None: all
         self._aim = -1  # the frame that is come to once its picture is there
         self._soon = after_paint(self, self._foresee)
 
@@ -118,12 +119,21 @@ class Navigator(QObject):
             self.come_to(aim)
 
     def next_frame(self) -> None:
-        """Show the next frame, if there is one."""
-        self.go_to(self._store.state.frame_index + 1)
+        """Show the next frame of those that the filter shows, if there is one."""
+        self._step(1)
 
     def previous_frame(self) -> None:
-        """Show the previous frame, if there is one."""
-        self.go_to(self._store.state.frame_index - 1)
+        """Show the previous frame of those that the filter shows, if there is one."""
+        self._step(-1)
+
+    def _step(self, step: int) -> None:
+        here = self._store.state.frame_index
+        if self.within is None:
+            self.go_to(here + step)
+        elif beyond := [index for index in self.within if (index - here) * step > 0]:
+            self.go_to(min(beyond) if step > 0 else max(beyond))
+        else:
+            say(self._store, tr("the filter shows no further frame this way"))
 
     def leave(self) -> None:
         """The frame on screen is left, and may be another window's: what is being drawn is set
