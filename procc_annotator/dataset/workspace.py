@@ -88,8 +88,10 @@ class Workspace:
         root, frames, notices = list_frames(path, annotations)
         return cls(path, frames, field, notices, root)
 
-    def only(self, names: Collection[str]) -> Workspace:
-        """Return the same dataset with some of its frames, none of them read yet."""
+    def only(self, names: Collection[str] | None) -> Workspace:
+        """Return the same dataset with some of its frames, none read yet; None: as it is."""
+        if names is None:
+            return self
         frames = tuple(frame for frame in self.frames if frame.name in names)
         return Workspace(self.root, frames, self.field, self.notices, self.folder)
 

@@ -157,11 +157,9 @@ class MainWindow(QMainWindow):
         self.shot_walk = ShotWalk(services, self.canvas, self)
         self.shot_following = ShotFollowing(services, self)
         self.stretch_accepting = StretchAccepting(
-            services,
-            lambda: self.ghost_tasks.accepting.least_support,
-            lambda: self.shot_following.running,
-            self,
+            services, lambda: self.ghost_tasks.accepting.least_support, self
         )
+        self.stretch_accepting.following = lambda: self.shot_following.running
         self.canvas.editor.ask_first(
             self.canvas.camera_drag.key,
             self.assistant.key,

@@ -243,36 +243,31 @@ class BarStack(QWidget):
 
 def ask_to_delete(parent: QWidget, what: str, lost: str) -> bool:
     """Delete something that undo does not bring back?"""
-    return _ask(parent, tr("Delete {what}?", what=what), lost, tr("Keep it"), tr("Delete"))
+    return _ask(parent, tr("Delete {what}?", what=what), lost, tr("Keep it"), tr("Delete")) > 0
 
 
 def ask_to_replace(parent: QWidget, what: str, lost: str) -> bool:
     """Write over a file that says something else?"""
     text = tr("{what} is there already, and says something else.", what=what)
-    return _ask(parent, text, lost, tr("Keep it"), tr("Replace it"))
+    return _ask(parent, text, lost, tr("Keep it"), tr("Replace it")) > 0
 
 
-def ask_to_approve(parent: QWidget | None, open_comments: int) -> bool:
+def ask_to_approve(parent: QWidget, open_comments: int) -> bool:
     """Approve a frame although comments on it are open?"""
     text = tr_count(
         open_comments,
         "{n} comment on this frame is not settled.",
         "{n} comments on this frame are not settled.",
     )
-    todo = tr("A tick in the Review panel settles a comment.")
-    return _ask(parent, text, todo, tr("Do not approve"), tr("Approve"))
+    settled = tr("A tick in the Review panel settles a comment.")
+    return _ask(parent, text, settled, tr("Do not approve"), tr("Approve")) > 0
 
 
 def ask_done_only(parent: QWidget, unfinished: int, total: int) -> bool | None:
     """Export only the frames that are done? None: export nothing."""
     text = tr("{n:,} of {total:,} frames are not done.", n=unfinished, total=total)
-    box = QMessageBox(QMessageBox.Icon.Question, "", text, parent=parent)
-    every = box.addButton(tr("Export all"), QMessageBox.ButtonRole.AcceptRole)
-    done = box.addButton(tr("Done only"), QMessageBox.ButtonRole.AcceptRole)
-    box.addButton(QMessageBox.StandardButton.Cancel)
-    box.exec()
-    clicked = box.clickedButton()
-    return clicked is done if clicked in (every, done) else None
+    answer = _ask(parent, text, "", tr("Cancel"), tr("Export all"), tr("Done only"))
+    return answer > 1 if answer else None
 
 
 def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
@@ -282,21 +277,23 @@ def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:
         "{n} frame is not saved, and saving failed again just now.",
         "{n} frames are not saved, and saving failed again just now.",
     )
-    leave, icon = tr("Close and lose them"), QMessageBox.Icon.Warning
-    return _ask(parent, text, "\n".join(problems[:5]), tr("Stay"), leave, icon)
+    answers, icon = (tr("Stay"), tr("Close and lose them")), QMessageBox.Icon.Warning
+    return _ask(parent, text, "\n".join(problems[:5]), *answers, icon=icon) > 0
 
 
 def _ask(
-    parent: QWidget | None,
+    parent: QWidget,
     text: str,
     lost: str,
-    no: str,
-    yes: str,
+    *answers: str,
     icon: QMessageBox.Icon = QMessageBox.Icon.Question,
-) -> bool:
+) -> int:
+    """Return the index of the answer; 0, which changes nothing, for Esc, too."""
     box = QMessageBox(icon, "", text, parent=parent, informativeText=lost)
-    keep = box.addButton(no, QMessageBox.ButtonRole.RejectRole)
-    agree = box.addButton(yes, QMessageBox.ButtonRole.DestructiveRole)
+    role = QMessageBox.ButtonRole
+    keep = box.addButton(answers[0], role.RejectRole)
+    buttons: list[QAbstractButton] = [keep]
+    buttons += [box.addButton(one, role.DestructiveRole) for one in answers[1:]]
     box.setDefaultButton(keep)
     box.exec()
-    return box.clickedButton() is agree
+    return buttons.index(box.clickedButton())

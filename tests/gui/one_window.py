@@ -144,7 +144,7 @@ def _settings_of(window: MainWindow) -> dict[str, object]:
         if edit.objectName() and not of_dataset and not isinstance(edit.parent(), QAbstractSpinBox):
             found[f"text {edit.objectName()}"] = edit.text()
     for combo in window.findChildren(QComboBox):
-        if combo.objectName() not in ("", "reviewStatus"):  # that is the dataset's
+        if combo.objectName():
             # One that is filled when it is first seen stands on its first choice then.
             found[f"choice {combo.objectName()}"] = max(combo.currentIndex(), 0)
     for button in window.findChildren(QAbstractButton):

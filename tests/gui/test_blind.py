@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtWidgets import QComboBox, QDialogButtonBox, QLabel
+from PySide6.QtWidgets import QDialogButtonBox, QLabel
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.dataset.records import Status
@@ -403,18 +403,6 @@ def test_an_empty_frame_is_committed_by_the_second_key_only(blind, told, qtbot):
     assert services.state.projection_visible
     hand.draw("Middle line", (300, 300), (500, 500))
     assert said_in_review(blind, qtbot) == "Edited after the cameras were shown."
-
-
-def test_done_chosen_for_an_empty_frame_shows_what_holds(blind, qtbot):
-    services = blind.services
-    services.navigator.go_to(services.state.workspace.index[EMPTY])
-    blind.panels.show("review")
-    all_done(qtbot)
-    box = blind.findChild(QComboBox, "reviewStatus")
-    box.setCurrentIndex(box.findData(Status.DONE))
-    box.activated.emit(box.currentIndex())
-    qtbot.waitUntil(lambda: box.currentData() == Status.UNTOUCHED)
-    assert not services.state.projection_visible
 
 
 def test_exporting_says_what_blind_mode_leaves_out(blind, told, tmp_path, qtbot):

@@ -82,7 +82,7 @@ class TestStatus:
 
     def test_a_rejected_frame_is_found_and_editing_it_reopens_it(self, services):
         services.navigator.go_to(2)
-        StatusWalk(services).set_status("rejected")
+        services.review.set_status("frame_2", Status.REJECTED)
         assert status(services, 2) is Status.REJECTED
         services.navigator.go_to(0)
         StatusWalk(services).go_rejected()
@@ -92,7 +92,7 @@ class TestStatus:
 
     def test_status_and_place_are_there_after_a_restart(self, services, open_services, dataset):
         services.navigator.go_to(1)
-        StatusWalk(services).set_status("approved")
+        services.review.set_status("frame_1", Status.APPROVED)
         services.close()
         again = open_services(dataset)
         assert status(again, 1) is Status.APPROVED
@@ -108,12 +108,7 @@ class TestStatus:
         services.editing.undo()  # further back than what was approved
         assert services.review.status("frame_0") is Status.IN_PROGRESS
 
-    def test_the_panel_gives_a_status_too(self, panel, services):
-        combo = panel.status
-        combo.activated.emit(combo.findData(Status.REJECTED))
-        assert status(services) is Status.REJECTED
-
-    @pytest.mark.parametrize("way", ["button", "key", "list"])
+    @pytest.mark.parametrize("way", ["button", "key"])
     def test_a_frame_with_an_open_comment_is_approved_once_that_was_asked(
         self, window, monkeypatch, qtbot, way
     ):
@@ -130,7 +125,6 @@ class TestStatus:
         do = {
             "button": lambda: QTest.mouseClick(panel.approve, Qt.MouseButton.LeftButton),
             "key": lambda: QTest.keyClick(window.canvas, Qt.Key.Key_A, CTRL | SHIFT),
-            "list": lambda: panel.status.activated.emit(panel.status.findData(Status.APPROVED)),
         }[way]
         do()
         assert status(services) is Status.UNTOUCHED
@@ -139,6 +133,7 @@ class TestStatus:
         assert asked == [1, 1]
         QTest.mouseClick(panel.reject, Qt.MouseButton.LeftButton)
         assert status(services) is Status.REJECTED
+        qtbot.waitUntil(lambda: panel.status.text() == "rejected")
         services.review.resolve_comment(services.review.comments("frame_0")[0], True)
         do()
         assert status(services) is Status.APPROVED

@@ -54,17 +54,6 @@ def unfinished(title: str, count: int, frame: str) -> str:
     )
 
 
-def finished(title: str, count: int, frame: str) -> str:
-    """Return the message: an element was finished before something else was done."""
-    return tr_count(
-        count,
-        "finished {title} with {n} point on {frame}",
-        "finished {title} with {n} points on {frame}",
-        title=title,
-        frame=frame,
-    )
-
-
 # Given a key's name and whether Shift is held, takes it or does not.
 KeyTaker = Callable[[str, bool], bool]
 
@@ -393,11 +382,9 @@ class Editor(QObject):
         self._commit(edit)
         if not keep_selection:
             self._services.selection.select_class(name)
-        frame = self._services.state.frame_name or ""
         title = tr(self._services.state.field.title_of(name))
-        self._services.say(
-            unfinished(title, count, frame) if waits else finished(title, count, frame)
-        )
+        kept = unfinished(title, count, self._services.state.frame_name or "")
+        self._services.say(kept if waits else tr("finished {title}", title=title))
         self.changed.emit()
 
     def _keep_clicks(self) -> None:

@@ -78,7 +78,7 @@ class ExportAs(DialogTask):
             return
         unsaved = tr("Not everything could be saved: what is on disk goes.")
         said = "" if services.editing.save_now() else unsaved
-        review, reopen = services.review, services.opening.reopener(only)
+        review, reopen = services.review, services.opening.reopener()
         drafts = set(review.database.drafts()) if review.database is not None else set()
         wanted = ConversionRequest(
             dialog.format.name,
@@ -91,7 +91,7 @@ class ExportAs(DialogTask):
 
         def write(control: JobControl) -> Converted:
             return export_as(
-                reopen(), out, wanted, drafts=drafts, progress=control.progress_or_stop
+                reopen().only(only), out, wanted, drafts=drafts, progress=control.progress_or_stop
             )
 
         self._work.start(write, lambda done: self._tell(done, said), progress=dialog.advance)
@@ -222,9 +222,7 @@ class Exporter:
 
     def ask_overview(self) -> None:
         """Ask for a file and write the status, counts and time of every frame there."""
-        asked = self._services, self._parent, tr("Export the overview")
-        if (path := ask_where(*asked, "overview.csv", tr("Table (*.csv)"))) is not None:
-            self.write_overview(path)
+        self._ask("overview.csv", tr("Table (*.csv)"), self.write_overview)
 
     def write_overview(self, path: Path) -> None:
         """Write the status, counts and time of every frame as CSV."""
@@ -270,10 +268,9 @@ class Exporter:
         archive."""
         self._run(
             lambda workspace, progress: export_dataset(
-                dataset_frames(workspace), path, progress=progress
+                dataset_frames(workspace.only(only)), path, progress=progress
             ),
             "export_annotations",
-            only,
         )
 
     def write_scores(self, path: Path) -> None:
@@ -399,7 +396,7 @@ class Exporter:
         if (path := ask_where(self._services, self._parent, tr("Export"), name, kinds)) is not None:
             then(path)
 
-    def _run(self, work: Work, again: str, only: Collection[str] | None = None) -> None:
+    def _run(self, work: Work, again: str) -> None:
         services = self._services
         if opened_frame(services) is None:
             return
@@ -407,7 +404,7 @@ class Exporter:
             services.say(
                 tr("not everything could be saved: the export has the last saved state"), "warning"
             )
-        reopen = services.opening.reopener(only)
+        reopen = services.opening.reopener()
 
         def export(control: JobControl) -> Exported:
             return work(reopen(), control.progress)

@@ -22,7 +22,6 @@ from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.dataset.records import Status
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.gui.canvas.canvas import Canvas
-from procc_annotator.gui.panels.review import give_status
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.availability import no_source
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
@@ -204,10 +203,6 @@ class StatusWalk:
             tr("no other frame is rejected"),
             around=True,
         )
-
-    def set_status(self, status: str) -> None:
-        """Give the frame on screen a status."""
-        give_status(self._services, Status(status))
 
     def _status(self, workspace: Workspace, index: int) -> Status:
         return self._services.review.status(workspace.frames[index].name)

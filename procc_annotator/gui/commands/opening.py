@@ -107,14 +107,8 @@ class VideoDialog(QDialog):
 class VideoOpening:
     """Asks which frames, finds them in the background, and opens them as a dataset."""
 
-    def __init__(
-        self,
-        services: Services,
-        settings: Settings,
-        parent: QWidget,
-        opened: Callable[[Path], None],
-    ) -> None:
-        self._services, self._settings = services, settings
+    def __init__(self, services: Services, parent: QWidget, opened: Callable[[Path], None]) -> None:
+        self._services, self._settings = services, Settings()
         self._parent = parent
         self._opened = opened
         self._work = LatestOnlyTask(services, self._fail)
@@ -385,7 +379,7 @@ class OpeningTask(QObject):
         self._settings = settings
         self._window = window
         self._copying = LatestOnlyTask(self, lambda why: services.say(why, "warning"))
-        self.video = VideoOpening(services, settings, window, self._remember)
+        self.video = VideoOpening(services, window, self._remember)
         self.season = SeasonTask(
             services, settings, window, lambda path, field: self.open_path(path, field=field)
         )

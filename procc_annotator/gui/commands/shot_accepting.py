@@ -83,20 +83,18 @@ class StretchAccepting(QObject):
     own history, and can be taken back alone.
 
     Attributes:
+        following: whether the shot is being followed.
         marked: the stretch that a person marked on the strip; else the shot on screen is meant.
     """
 
     changed = Signal()  # how far it is, or that it ended
 
     def __init__(
-        self,
-        services: Services,
-        least_support: Callable[[], float],
-        following: Callable[[], bool],
-        parent: QObject,
+        self, services: Services, least_support: Callable[[], float], parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._services, self._least_support, self._following = services, least_support, following
+        self._services, self._least_support = services, least_support
+        self.following: Callable[[], bool] = lambda: False
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
         self._looking = LatestOnlyTask(self, self._fail)
         self._far = (0, 0)
@@ -133,7 +131,7 @@ class StretchAccepting(QObject):
         services, workspace = self._services, self._services.state.workspace
         if self.running or workspace is None:
             return
-        if self._following():
+        if self.following():
             services.say(tr(_FOLLOWING))
             return
         if not services.proposals.allowed:

@@ -6,12 +6,9 @@ from datetime import datetime
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
-    QApplication,
-    QComboBox,
     QLabel,
     QListWidget,
     QListWidgetItem,
-    QPushButton,
 )
 
 from procc_annotator.dataset.records import Comment, Status
@@ -35,13 +32,6 @@ from procc_annotator.gui.theme import muted
 from procc_annotator.interaction.palette import ORIGINS
 from procc_annotator.translation import tr, tr_count, word
 
-STATUS_TIPS = {
-    Status.UNTOUCHED: word("This frame has not been edited here"),
-    Status.IN_PROGRESS: word("Begun, not done"),
-    Status.DONE: word("The annotator is done (Ctrl+Enter)"),
-    Status.APPROVED: word("A reviewer found it right (Ctrl+Shift+A)"),
-    Status.REJECTED: word("A reviewer sent it back (Ctrl+Shift+X)"),
-}
 _BLIND_WORDS = {
     BlindStatus.BLIND: word("Committed in blind mode, and as it was then."),
     BlindStatus.EDITED: word("Edited after the cameras were shown."),
@@ -78,14 +68,7 @@ class ReviewPanel(Panel):
         self.text.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _build(self) -> None:
-        self.status = named(QComboBox(), "reviewStatus")
-        for status in Status:
-            said = tr(status.value, "a frame")
-            self.status.addItem(f"{said[:1].upper()}{said[1:]}", status)
-            self.status.setItemData(
-                self.status.count() - 1, tr(STATUS_TIPS[status]), Qt.ItemDataRole.ToolTipRole
-            )
-        self.status.activated.connect(self._choose)
+        self.status = make_label(name="reviewStatus")
         self.time = make_label(tip=tr("Time worked on this frame; pauses over 30 s do not count"))
         self.blind = note_label("reviewBlind")
         tip = tr("How the points of this frame came to be")
@@ -97,8 +80,9 @@ class ReviewPanel(Panel):
         self.comments.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self.comments.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.comments.itemChanged.connect(self._settle)
-        self.approve = self._verdict(tr("Approve"), Status.APPROVED)
-        self.reject = self._verdict(tr("Reject"), Status.REJECTED)
+        right, wrong = tr("This frame is right (Ctrl+Shift+A)"), tr("Send it back (Ctrl+Shift+X)")
+        self.approve = make_button(tr("Approve"), lambda: self.give("approved"), tip=right)
+        self.reject = make_button(tr("Reject"), lambda: self.give("rejected"), tip=wrong)
         self.empty = QLabel(tr("No comments on this frame."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
         hint = tr("Comment on this frame")
@@ -108,7 +92,7 @@ class ReviewPanel(Panel):
         self.send = make_button(tr("Add"), self._send, tip=tip)
         vbox(
             hbox((self.status, 1), self.time),
-            hbox(self.approve, self.reject),
+            hbox((self.approve, 1), (self.reject, 1)),
             self.blind,
             self.origins,
             (self.empty, 1),
@@ -118,20 +102,11 @@ class ReviewPanel(Panel):
             margins=6,
         )
 
-    def _verdict(self, text: str, status: Status) -> QPushButton:
-        return make_button(
-            text,
-            lambda: give_status(self._services, status),
-            f"review_{status.value}",
-            tip=tr(STATUS_TIPS[status]),
-            wide=True,
-        )
-
     # --- showing --------------------------------------------------------------------------
 
     def _refresh(self) -> None:
         services, frame = self._services, self._services.state.frame
-        for part in (self.status, self.approve, self.reject, self.text, self.send):
+        for part in (self.approve, self.reject, self.text, self.send):
             part.setEnabled(frame is not None)
         if frame is None:
             self.time.clear()
@@ -140,7 +115,7 @@ class ReviewPanel(Panel):
             self._show_thread(())
             return
         record = services.review.record(frame.name)
-        self.status.setCurrentIndex(self.status.findData(record.status))
+        self.status.setText(tr(record.status.value, "a frame"))
         self.time.setText(_duration(record.seconds))
         self._show_blind(frame.name)
         counts = services.review.origin_counts(frame.name, services.state.annotation)
@@ -200,17 +175,18 @@ class ReviewPanel(Panel):
 
     # --- doing ----------------------------------------------------------------------------
 
-    def _choose(self, index: int) -> None:
-        frame = self._services.state.frame
-        if frame is None:
+    def give(self, status: str) -> None:
+        """Give the frame on screen a status; ask before one with open comments is approved."""
+        services, given = self._services, Status(status)
+        if (frame := services.state.frame) is None:
             return
-        status = Status(self.status.itemData(index))  # Qt keeps the text only
-        if status is Status.DONE:
-            self._services.editing.commit_frame()
-            self._refresher.request()  # in blind mode an empty frame is not committed at once
-        else:
-            give_status(self._services, status)
-            self._refresher.request()  # or the frame was not approved after all
+        services.store.events.aboutToLeave.emit()  # what is in progress is part of what is judged
+        comments = services.review.comments(frame.name)
+        left = sum(not c.resolved for c in comments) if given is Status.APPROVED else 0
+        if not left or ask_to_approve(self, left):
+            services.review.set_status(frame.name, given)
+            said = tr("{frame} is {status}", frame=frame.name, status=tr(status, "a frame"))
+            services.say(said)
 
     def _send(self) -> None:
         frame = self._services.state.frame
@@ -242,19 +218,6 @@ class ReviewPanel(Panel):
             self.left.emit()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._send()
-
-
-def give_status(services: Services, status: Status) -> None:
-    """Give the frame on screen a status; ask before one with open comments is approved."""
-    if (frame := services.state.frame) is None:
-        return
-    services.store.events.aboutToLeave.emit()  # what is in progress is part of what is judged
-    comments = services.review.comments(frame.name)
-    left = sum(not c.resolved for c in comments) if status is Status.APPROVED else 0
-    if left and not ask_to_approve(QApplication.activeWindow(), left):
-        return
-    services.review.set_status(frame.name, status)
-    services.say(tr("{frame} is {status}", frame=frame.name, status=tr(status.value, "a frame")))
 
 
 def _duration(seconds: float) -> str:

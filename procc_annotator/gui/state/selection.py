@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from procc_annotator.annotation import FrameAnnotation, Polyline
 from procc_annotator.dataset.editing import PointRef
-from procc_annotator.field.model import Field
 from procc_annotator.gui.state.state import ChosenElement, Mode, Option
 from procc_annotator.gui.state.store import Store
 
@@ -68,18 +67,6 @@ class SelectionCommands:
         straight elements at the second click."""
         options = self._store.state.options
         self._store.update(options=replace(options, **{option: on}))
-
-
-def class_that_fits(
-    class_name: str | None, field: Field, annotation: FrameAnnotation
-) -> str | None:
-    """The class if it may stay chosen: the field has it, or the frame's file does, where it can be
-    edited; a click would write any other one into a file that it does not belong to."""
-    if class_name is None or field.knows(class_name):
-        return class_name
-    here = annotation.renamed(str.strip).get(class_name.strip()) is not None
-    own = here or any(mark.name == class_name for mark in field.landmarks)  # placed or not
-    return class_name if own else None
 
 
 def without_points(selection: ChosenElement) -> ChosenElement:

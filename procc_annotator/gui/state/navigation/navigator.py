@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -253,19 +253,17 @@ class Opening(QObject):
         self._opened = None
         return True
 
-    def reopener(self, only: Collection[str] | None = None) -> Callable[[], Workspace]:
+    def reopener(self) -> Callable[[], Workspace]:
         """Return what opens the dataset as it is on disk, in a thread of its own: this dataset with
-        this field, or ``only`` these frames of it, whatever is shown by then. It raises
-        `ProccError` if that cannot be opened any more; this raises `UsageError` if nothing is
-        open."""
+        this field, whatever is shown by then. It raises `ProccError` if that cannot be opened any
+        more; this raises `UsageError` if nothing is open."""
         workspace, field = self._store.state.workspace, self._store.state.field
         if workspace is None:
             raise UsageError(tr("nothing is open"))
-        opened = partial(Workspace, workspace.root, workspace.frames, field, ())
-        if self._opened is not None:  # no frames of a video
-            path, annotations = self._opened
-            opened = partial(Workspace.open, path, field, annotations)
-        return opened if only is None else lambda: opened().only(only)
+        if self._opened is None:  # frames of a video
+            return partial(Workspace, workspace.root, workspace.frames, field, ())
+        path, annotations = self._opened
+        return partial(Workspace.open, path, field, annotations)
 
     # --- inside ---
 

@@ -25,7 +25,6 @@ from procc_annotator.gui.state.camera_sources import (
 from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.review_state import ReviewState
 from procc_annotator.gui.state.scoring.dataset_scores import DatasetScoring
-from procc_annotator.gui.state.selection import class_that_fits
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU, ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.translation import tr
@@ -87,8 +86,10 @@ class EvaluationSettings(QObject):
             store_field(database, folder_of(state.workspace.root), field)
         self.take_field(field)
         state = self._store.state
-        chosen = state.selected_class
-        if class_that_fits(chosen, field, state.annotation) != chosen:
+        name = state.selected_class or ""
+        here = state.annotation.renamed(str.strip).get(name.strip()) is not None
+        own = any(mark.name == name for mark in field.landmarks)  # placed or not
+        if not (field.knows(name) or here or own):  # clicks would write it into other files
             self._store.update(selection=ChosenElement())
         self._store.update(hovered_class=None)
 
