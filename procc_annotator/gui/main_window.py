@@ -92,17 +92,17 @@ class MainWindow(QMainWindow):
         self.panels.allHidden.connect(lambda on: self.actions_.set_checked("hide_panels", on))
         self._make_bars()
         self._add_menus()
-        self.palette_ = CommandPalette(
-            self,
-            PaletteEntries(
-                self.services,
-                self.actions_,
-                self.settings,
-                self.panels.show,
-                self.opening.open_path,
-                self.commands.show_settings,
-            ).found,
+        entries = PaletteEntries(
+            self.services,
+            self.actions_,
             self.settings,
+            self.panels.show,
+            self.opening.open_path,
+            self.commands.show_settings,
+        )
+        self.palette_ = CommandPalette(self, entries.found, self.settings)
+        self.naming.searchWanted.connect(
+            lambda name: self.palette_.ask(lambda text, _: entries.elements(text, name))
         )
         self._make_helpers()
         self._window_state = WindowState(self.settings, self, self.options, self.panels)

@@ -3,6 +3,7 @@
 import json
 
 import numpy as np
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMenu
@@ -11,6 +12,7 @@ from pytestqt.qtbot import QtBot
 from procc_annotator.gui.main_window import MainWindow
 from tests.gui.conftest import KEPT, Hand
 
+LEFT = Qt.MouseButton.LeftButton
 UNKNOWN = "Line unknown"
 
 
@@ -61,6 +63,22 @@ def test_two_points_are_no_curve_without_a_word(window, hand, qtbot, saved):
     hand.click(200, 200)  # and it goes on
     hand.key(Qt.Key.Key_Return)
     assert len(saved("Circle central")) == 3
+
+
+@pytest.mark.parametrize("by_key", [True, False])
+def test_any_element_is_found_by_its_name(window, hand, qtbot, saved, by_key):
+    menu = drawn(window, hand, qtbot, (100, 100), (300, 120))
+    if by_key:
+        QTest.keyClick(menu, "/")
+    else:
+        QTest.mouseClick(menu, LEFT, pos=menu.actionGeometry(menu.actions()[-2]).center())
+    palette = window.palette_
+    qtbot.waitUntil(palette.isVisible)
+    assert palette.model.rowCount() >= len(window.services.state.field.elements)
+    QTest.keyClicks(palette.search, "right goal cross")
+    QTest.keyClick(palette.search, Qt.Key.Key_Return)
+    assert len(saved("Goal right crossbar")) == 2
+    assert len(saved(UNKNOWN)) == 0
 
 
 def test_enter_takes_the_first(window, hand, qtbot, saved):

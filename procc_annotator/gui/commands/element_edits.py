@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QObject, QPoint, Qt, QTimer
+from PySide6.QtCore import QObject, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QMenu, QWidget
 
@@ -294,6 +294,8 @@ class _Offer(QMenu):
 class Naming(QObject):
     """Shows a short menu after every line without a name. Esc leaves it without one."""
 
+    searchWanted = Signal(object)  # what gives the line the class that is found
+
     def __init__(self, services: Services, canvas: Canvas, edits: ElementEdits) -> None:
         super().__init__(canvas)
         self._services, self._canvas, self._edits = services, canvas, edits
@@ -353,8 +355,8 @@ class Naming(QObject):
         if state.selected_class != class_name or state.annotation.get(class_name) is None:
             return  # the frame was left, or the line taken back
         field = state.field
-        keys = element_keys(field, state.keymap)
-        menu = self.menu = _Offer(keys, partial(self._name, class_name), self._canvas)
+        keys, named = element_keys(field, state.keymap), partial(self._name, class_name)
+        menu = self.menu = _Offer(keys, named, self._canvas)
         menu.setObjectName("namingMenu")
         menu.setAccessibleName(tr("What is this line?"))
         for name in likely:
@@ -365,6 +367,7 @@ class Naming(QObject):
             action.setIconVisibleInMenu(True)
             action.triggered.connect(partial(self._name, class_name, name))
         menu.addSeparator()
+        menu.addAction(f"{tr('Another element…')} &/", lambda: self.searchWanted.emit(named))
         escape = QKeySequence(Qt.Key.Key_Escape).toString(QKeySequence.SequenceFormat.NativeText)
         menu.addAction(f"{tr('Leave it unnamed')}\t{escape}")
         menu.setActiveAction(menu.actions()[0])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice
 from pathlib import Path
@@ -105,10 +105,14 @@ class PaletteEntries:
             return [*last, *actions.values()]
         entries = [*self._of_actions(), *self._of_the_window()]
         fitting = [*entries, *islice(self._of_frames(text), _MOST_FRAMES)]
-        ranked = [(rank, e) for e in fitting if (rank := _rank(text, e)) is not None]
-        ranked.sort(key=lambda pair: (pair[0], len(pair[1].title)))
-        best = [*self._of_numbers(text), *(entry for _, entry in ranked)]
+        best = [*self._of_numbers(text), *_ranked(text, fitting)]
         return best or [e for e in entries if any(misspelt(text, name) for name in e.names)]
+
+    def elements(self, text: str, choose: Callable[[str], object]) -> list[Entry]:
+        """Return the elements of the field that fit a text, best first, to be chosen by their
+        class."""
+        entries = [replace(e, run=partial(choose, e.detail)) for e in self._of_elements()]
+        return _ranked(text, entries) if text.strip() else entries
 
     # --- what there is ------------------------------------------------------------------------
 
@@ -233,6 +237,11 @@ class PaletteEntries:
         return Entry(_FRAME, title, go, detail, on=index == services.state.frame_index)
 
 
+def _ranked(text: str, entries: Iterable[Entry]) -> list[Entry]:
+    ranked = [(rank, e) for e in entries if (rank := _rank(text, e)) is not None]
+    return [e for _, e in sorted(ranked, key=lambda pair: (pair[0], len(pair[1].title)))]
+
+
 def _rank(text: str, entry: Entry) -> int | None:
     ranks = [rank for name in entry.names if (rank := loose_rank(text, name)) is not None]
     if 0 in ranks or match_rank(text, entry.keys) == 0:
@@ -272,7 +281,8 @@ class CommandPalette(QFrame):
         self.setObjectName("commandPalette")
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAutoFillBackground(True)
-        self._found, self._settings = found, settings
+        self._found = self._asked = found
+        self._settings = settings
         self._before: QWidget | None = None  # who had the keyboard
         hint = tr("An action, element, frame, camera source, folder, number")
         title = tr("Find anything")
@@ -295,12 +305,13 @@ class CommandPalette(QFrame):
         application.focusChanged.connect(self._follow)
         self.hide()
 
-    def ask(self) -> None:
-        """Show it with an empty line; once more puts it away."""
+    def ask(self, found: Callable[[str, Sequence[str]], list[Entry]] | None = None) -> None:
+        """Show it with an empty line, for anything or for what is ``found``; once more puts it
+        away."""
         if self.isVisible():
             self.put_away()
             return
-        self._before = QApplication.focusWidget()
+        self._asked, self._before = found or self._found, QApplication.focusWidget()
         self.search.clear()
         self._show()
         self.place()
@@ -328,7 +339,7 @@ class CommandPalette(QFrame):
 
     def _show(self) -> None:
         text = self.search.text()
-        self.model.replace(self._found(text, self._settings.get(CALLED)))
+        self.model.replace(self._asked(text, self._settings.get(CALLED)))
         self.list.setCurrentIndex(self.model.index(0, _TITLE))
         self.list.scrollToTop()
         found = self.model.rowCount() > 0
