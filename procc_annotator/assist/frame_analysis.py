@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from procc_annotator.annotation import FrameAnnotation
+from procc_annotator.annotation import FrameAnnotation, points_px
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.label_check.check import check_labels
 from procc_annotator.calibration.label_check.finding import Finding, Remedy, RemedyKind
@@ -15,6 +15,7 @@ from procc_annotator.calibration.prediction.ghosts import MAX_SD_PX, Ghost, find
 from procc_annotator.calibration.prediction.suggestions import (
     AnnotationSuggestion,
     suggest_annotations,
+    unlikely_in_sight,
 )
 from procc_annotator.calibration.prediction.visible_elements import visible_spots, visible_stretches
 from procc_annotator.calibration.result import FitResult
@@ -39,6 +40,7 @@ class FrameAnalysis:
         suggestions: what to annotate next, the most helpful first.
         visible_optional: the optional elements that the camera has in the picture; they may be
             there or not, and few are suggested.
+        unlikely: without a camera, the elements that are hardly in the picture.
         from_clicks: whether the camera is that of the annotation; else it was found without.
     """
 
@@ -48,16 +50,15 @@ class FrameAnalysis:
     findings: tuple[Finding, ...] = ()
     suggestions: tuple[AnnotationSuggestion, ...] = ()
     visible_optional: frozenset[str] = frozenset()
+    unlikely: frozenset[str] = frozenset()
     from_clicks: bool = True
 
     def out_of_sight(self, field: Field) -> frozenset[str]:
-        """The classes without points that the camera has nowhere in the picture.
-
-        None without a camera; a homography says nothing of what is off the ground.
-        """
+        """The classes without points that the camera has nowhere in the picture, or the unlikely
+        ones without a camera; a homography says nothing of what is off the ground."""
         fit, annotation = self.fit, self.annotation
         if fit.camera is None or fit.covariance is None or fit.error_px is None:
-            return frozenset()
+            return self.unlikely
         known = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed)}
         known |= {suggestion.name for suggestion in self.suggestions} | self.visible_optional
         flat = isinstance(fit.camera, HomographyCamera)
@@ -91,8 +92,11 @@ def analyse_frame(
     suggestions = suggest_annotations(annotation, field, fit, without=not_visible)
     go_on()
     findings = check_labels(annotation, field, size=size, fit=fit, go_on=go_on)
-    optional = _optional_in_sight(field, fit)
-    return FrameAnalysis(annotation, fit, ghosts, findings, suggestions, optional)
+    optional, unlikely = _optional_in_sight(field, fit), frozenset[str]()
+    if fit.camera is None:
+        known = {p.class_name: points_px(p, size) for p in annotation if p.points}
+        unlikely = unlikely_in_sight(field, size, known)
+    return FrameAnalysis(annotation, fit, ghosts, findings, suggestions, optional, unlikely)
 
 
 def _optional_in_sight(field: Field, fit: FitResult) -> frozenset[str]:

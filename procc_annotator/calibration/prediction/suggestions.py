@@ -41,6 +41,8 @@ _END_TOLERANCE = 0.08  # of the picture around it: a line is drawn up to its edg
 _LINE_SD = 0.07  # of the picture's width that usual cameras are off by
 _ANGLE_FACTOR = 3.0  # how much farther a line counts that runs across
 _DRAWN_SAMPLES = 5  # places along what was drawn
+_SHOWN_SHARE = 0.3  # of an element that is in the picture, for it to be in sight
+_LEAST_SEEN = 0.6  # of the usual views: of 55 wrong proposals in the sample data 7 are left
 
 Float32 = NDArray[np.float32]
 
@@ -63,6 +65,30 @@ def likely_classes(
 ) -> tuple[str, ...]:
     """The elements that a line (n, 2), px, likely is, likeliest first; those of no camera are left
     out, as are those ``known``: the elements of the picture that have names, (n, 2) px each."""
+    views, weight = _weighted_views(field, size, known)
+    rows = [i for i, name in enumerate(views.names) if name not in known]
+    if not rows:
+        return ()
+    score = _line_likelihood(views, drawn / size[0], rows) @ weight
+    order = np.argsort(-score, kind="stable")
+    return tuple(views.names[rows[i]] for i in order.tolist() if score[i] > 0)
+
+
+def unlikely_in_sight(
+    field: Field, size: tuple[int, int], known: Mapping[str, FloatArray]
+) -> frozenset[str]:
+    """The elements that usual cameras seldom show with the ``known`` ones, (n, 2) px each."""
+    views, weight = _weighted_views(field, size, known)
+    shown = np.isfinite(views.x).mean(axis=0) > _SHOWN_SHARE
+    seen = (shown @ weight).tolist()
+    few = _LEAST_SEEN * float(weight.sum())
+    return frozenset(name for name, share in zip(views.names, seen, strict=True) if share < few)
+
+
+def _weighted_views(
+    field: Field, size: tuple[int, int], known: Mapping[str, FloatArray]
+) -> tuple[_ExpectedViews, Float32]:
+    """The usual views, and (B,) how well each fits the elements that are known."""
     views = _expected_views(
         field.elements, camera_placement_prior(field), round(size[1] / size[0], 3)
     )
@@ -70,12 +96,7 @@ def likely_classes(
     for name, line in known.items():
         if name in views.names:
             weight *= _line_likelihood(views, line / size[0], [views.names.index(name)])[0] + 1e-3
-    rows = [i for i, name in enumerate(views.names) if name not in known]
-    if not rows:
-        return ()
-    score = _line_likelihood(views, drawn / size[0], rows) @ weight
-    order = np.argsort(-score, kind="stable")
-    return tuple(views.names[rows[i]] for i in order.tolist() if score[i] > 0)
+    return views, weight
 
 
 def _line_likelihood(views: _ExpectedViews, line: FloatArray, rows: list[int]) -> Float32:

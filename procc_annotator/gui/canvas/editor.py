@@ -15,7 +15,7 @@ from procc_annotator.gui.canvas.snapping import ScreenSnapper
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
-from procc_annotator.interaction.class_choice import next_element, unnamed_class
+from procc_annotator.interaction.class_choice import unnamed_class
 from procc_annotator.interaction.draw_tool import DrawTool, draft_with_cursor
 from procc_annotator.interaction.edit_tool import EditTool
 from procc_annotator.interaction.gestures import (
@@ -41,17 +41,6 @@ def why_not_deleted(title: str, dropped: int) -> str:
             dropped, "dropped {n} point of {title}", "dropped {n} points of {title}", title=title
         )
     return tr("{title} has no points in this frame: choose the element to delete", title=title)
-
-
-def unfinished(title: str, count: int, frame: str) -> str:
-    """Return the message: clicks of an element were kept when its frame was left."""
-    return tr_count(
-        count,
-        "kept {n} click of {title} on {frame}, unfinished: choose it there to go on",
-        "kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on",
-        title=title,
-        frame=frame,
-    )
 
 
 # Given a key's name and whether Shift is held, takes it or does not.
@@ -122,9 +111,7 @@ class Editor(QObject):
         if not services.state.options.auto_advance:
             return None
         finished = self._draw.class_name if self._draw.busy else services.state.selected_class
-        ghosts = services.ghosts
-        terms = services.state.field, services.state.annotation, finished, self.seen_before
-        return next_element(*terms, gains=ghosts.gains, out_of_sight=ghosts.out_of_sight)
+        return services.ghosts.following(finished, self.seen_before)
 
     @property
     def _one_click(self) -> bool:
@@ -383,7 +370,13 @@ class Editor(QObject):
         if not keep_selection:
             self._services.selection.select_class(name)
         title = tr(self._services.state.field.title_of(name))
-        kept = unfinished(title, count, self._services.state.frame_name or "")
+        kept = tr_count(
+            count,
+            "kept {n} click of {title} on {frame}, unfinished: choose it there to go on",
+            "kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on",
+            title=title,
+            frame=self._services.state.frame_name or "",
+        )
         self._services.say(kept if waits else tr("finished {title}", title=title))
         self.changed.emit()
 

@@ -26,7 +26,7 @@ from procc_annotator.gui.panels.element_states import class_swatch
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import LatestOnlyTask, Priority
 from procc_annotator.gui.state.services import Services
-from procc_annotator.interaction.class_choice import next_element, rank_classes
+from procc_annotator.interaction.class_choice import rank_classes
 from procc_annotator.interaction.gestures import CONFIRM, step_name
 from procc_annotator.translation import tr, tr_count, translatable, translatable_count, word
 
@@ -165,8 +165,8 @@ class ElementEdits:
             )
 
     def confirm_all(self) -> None:
-        """Make all unconfirmed elements annotated ones; the next one is chosen, as after each that
-        is finished: a click must not go on with one that was chosen because it waited."""
+        """Make all unconfirmed elements annotated ones; a click must not go on with one that was
+        chosen because it waited."""
         if waiting := self._unconfirmed():
             services = self._services
             name = services.state.selected_class or ""
@@ -175,18 +175,8 @@ class ElementEdits:
             if not services.editing.edit(label, editing.confirm_all, OriginKind.COPIED):
                 return
             if waited and services.state.mode == "draw":
-                services.selection.select_class(self._following(name))
+                services.selection.select_class(None)
             services.say(tr_count(waiting, "confirmed {n} element", "confirmed {n} elements"))
-
-    def _following(self, name: str) -> str | None:
-        services = self._services
-        if not services.state.options.auto_advance:
-            return None
-        field, gains = services.state.field, services.ghosts.gains
-        unseen = services.ghosts.out_of_sight
-        return next_element(
-            field, services.state.annotation, name, gains=gains, out_of_sight=unseen
-        )
 
     def drop_unconfirmed(self) -> None:
         """Throw all unconfirmed elements away."""
@@ -402,7 +392,7 @@ class Naming(QObject):
             there |= self._canvas.editor.curved
         size = services.state.picture_size or (2, 2)
         before, last = self._canvas.editor.seen_before, services.state.selection.last_finished
-        following = next_element(field, annotation, last, before)
+        following = services.ghosts.following(last, before)
         usual = [following] if following is not None and following not in there else []
         usual += [e.name for e in field.elements if e.name not in there and not e.optional]
         fit = self._fit if services.state.projection_visible else None

@@ -7,7 +7,7 @@ along a ghost belongs to one insight and goes with it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -139,17 +139,15 @@ class Ghosts(QObject):
         latest, gains = self._latest, self.gains
         if latest is None or not gains:
             return None
-        state = self._store.state
-        following = state.selected_class
+        following = self._store.state.selected_class
         if following not in gains:  # it is there already, or not in sight
-            following = next_element(
-                state.field,
-                state.annotation,
-                following,
-                gains=gains,
-                out_of_sight=self.out_of_sight,
-            )
+            following = self.following(following)
         return next((s for s in latest.suggestions if s.name == following), None)
+
+    def following(self, finished: str | None, seen_before: Collection[str] = ()) -> str | None:
+        """Return the class to offer after one was finished, see `next_element`."""
+        unseen, terms = self.out_of_sight, (self._store.state.field, self._store.state.annotation)
+        return next_element(*terms, finished, seen_before, gains=self.gains, out_of_sight=unseen)
 
     @property
     def gains(self) -> Mapping[str, float]:
