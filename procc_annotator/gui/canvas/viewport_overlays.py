@@ -343,17 +343,11 @@ class FoundPlate(NamePlate):
         said = self._words()
         self.setVisible(said is not None)
         if said is not None:
-            text, tone = said
-            self.say(text, tone)
-            if self.wanted_size().width() > self._room():
-                self.say(text.partition(" (")[0], tone)  # the figures give way to the reason
+            self.say(*said)
             self._stand()
 
-    def _room(self) -> int:
-        return self._viewport.width() - 2 * _MARGIN
-
     def _stand(self) -> None:
-        width = min(self.wanted_size().width(), self._room())
+        width = min(self.wanted_size().width(), self._viewport.width() - 2 * _MARGIN)
         height = self.wanted_height(width)
         top = self._viewport.height() - height - _MARGIN
         self.put(QRect(_MARGIN, top, width, height))
