@@ -55,7 +55,7 @@ class ElementsPanel(Panel):
         self._items: dict[str, QTreeWidgetItem] = {}
         self._groups: dict[str, QTreeWidgetItem] = {}
         self._shown: dict[str, tuple[ElementState, int, bool, tuple[StoredFinding, ...]]] = {}
-        self._narrow = False
+        self._narrow: bool | None = None
         self._room: tuple[object, ...] = ()  # what the widths of the columns follow from
         self._shaded: str | None = None
         self._build()
@@ -84,7 +84,7 @@ class ElementsPanel(Panel):
         self.tree = named(QTreeWidget(columnCount=4), "elements_tree", title=tr("Elements"))
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
-        self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), tr("Pts"), tr("Status")])
+        self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), "", ""])
         self.tree.headerItem().setToolTip(POINTS, tr("Annotated points"))
         self.tree.setIndentation(8)
         self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
@@ -94,7 +94,7 @@ class ElementsPanel(Panel):
         self.tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         header = self.tree.header()
         header.setStretchLastSection(False)
-        header.setMinimumSectionSize(24)
+        header.setMinimumSectionSize(4)  # an empty column leaves its room to the names
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         for column in (KEY, POINTS, STATUS):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
@@ -206,7 +206,7 @@ class ElementsPanel(Panel):
             if name == following:
                 state = ElementState.NEXT
             found = findings.get(name, ())
-            shown = (state, counts.get(name, 0), self._narrow, found)
+            shown = (state, counts.get(name, 0), bool(self._narrow), found)
             if self._shown.get(name) != shown:
                 self._shown[name] = shown
                 others.append(item)
@@ -256,7 +256,8 @@ class ElementsPanel(Panel):
         narrow = event.size().width() < NARROW
         if narrow != self._narrow:
             self._narrow = narrow
-            self.tree.headerItem().setText(STATUS, "" if narrow else tr("Status"))
+            for column, title in ((POINTS, tr("Pts")), (STATUS, tr("Status"))):
+                self.tree.headerItem().setText(column, "" if narrow else title)
             self._refresher.request()
         super().resizeEvent(event)
 
