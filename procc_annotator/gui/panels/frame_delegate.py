@@ -17,12 +17,7 @@ from procc_annotator.gui.theme import alarm_colours, blend, bold, paint_row
 from procc_annotator.translation import tr, tr_count
 
 _RIM = 3  # px around a thumbnail of a strip: the colour of what is selected
-_SIGNS = {
-    Status.IN_PROGRESS: "…",
-    Status.DONE: "✓",
-    Status.APPROVED: "✓✓",
-    Status.REJECTED: "✗",
-}
+_SIGNS = dict(zip(Status, ("", "…", "✓", "✓✓", "✗"), strict=True))
 _STEP, _MOST = 10, 3  # px a folder; deeper ones are not moved farther in
 _SIGN = 14
 _THUMB = QSize(72, 41)
