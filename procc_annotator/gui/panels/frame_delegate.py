@@ -88,7 +88,7 @@ class _RowPainter:
         self._painter.setFont(bold(self._option.font))
         self._paint_text(upper, info.label, self._text)
         self._painter.setFont(self._option.font)
-        words = next((w for w in folder_words(info) if self._fits(w) <= lower.width()), "")
+        words = next((w for w in folder_words(info) if self._fits(w) < lower.width()), "")
         self._paint_text(lower, words, self._quiet)
 
     def paint_frame(self, info: RowInfo) -> None:
@@ -123,7 +123,7 @@ class _RowPainter:
         if info.count is not None and not info.unreadable:
             choices = row_words(info, bool(marker) or info.verdict is not None)
             shortest = "" if info.verdict is not None else choices[-1]
-            words = next((w for w in choices if self._fits(w) <= lower.width()), shortest)
+            words = next((w for w in choices if self._fits(w) < lower.width()), shortest)
             selected = self._option.state & QStyle.StateFlag.State_Selected
             self._paint_text(lower, words, self._text if selected else self._quiet)
 
