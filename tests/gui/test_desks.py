@@ -90,7 +90,10 @@ def test_a_panel_that_was_torn_off_stays(window):
 
 
 def test_hidden_panels_come_back_with_a_work(window):
-    QTest.keyClick(window.canvas, Qt.Key.Key_F11)
+    window.panels.enter("elements")
+    QTest.keyClick(window.elements.search, Qt.Key.Key_F11)
+    assert window.canvas.hasFocus()
+    assert window.focus_ring.widget is not window.field_map
     assert not opened(window)
     QTest.keyClick(window.canvas, Qt.Key.Key_F3, SHIFT)
     assert opened(window) == {"review"}

@@ -247,9 +247,9 @@ class Workspaces(QObject):
         self._set_hidden(hidden)
         if hidden:
             self._open = self.state()
+            self._canvas.setFocus()  # first: Qt would pass the focus from dock to dock
             for dock in self.by_name.values():
                 dock.hide()
-            self._canvas.setFocus()
         else:
             self.restore(self._open)
 
