@@ -86,7 +86,7 @@ class ElementsPanel(Panel):
         self.tree.setRootIsDecorated(False)
         self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), "", ""])
         self.tree.headerItem().setToolTip(POINTS, tr("Annotated points"))
-        self.tree.setIndentation(8)
+        self.tree.setIndentation(4)
         self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.tree.setMouseTracking(True)
         self.tree.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
@@ -106,7 +106,7 @@ class ElementsPanel(Panel):
         self.tree.viewport().installEventFilter(self)
         self._pages = Pages(self.tree, "elements_empty")
         self.nothing = self._pages.empty
-        vbox(self.search, self._pages, of=self, spacing=4, margins=4)
+        vbox(self.search, self._pages, of=self, spacing=4, margins=2)
 
     def _take_field(self) -> None:
         """List the classes of another field, or those of the same with other dimensions."""
@@ -210,11 +210,11 @@ class ElementsPanel(Panel):
             if self._shown.get(name) != shown:
                 self._shown[name] = shown
                 others.append(item)
-                item.setText(POINTS, str(shown[1] or ""))
+                # Where room is short, the sign of a finding stands for the number of points.
+                item.setText(POINTS, "" if self._narrow and found else str(shown[1] or ""))
                 item.setText(STATUS, "" if self._narrow else words_for(state))
                 item.setToolTip(STATUS, tr(EXPLANATIONS[state]))
                 item.setIcon(STATUS, symbol_icon(state, self))
-                # Signs of findings: a column of their own would take the room of the names.
                 sign = finding_icon(found[0].finding.severity, ratio) if found else QIcon()
                 item.setIcon(POINTS, sign)
                 item.setToolTip(POINTS, reasons_of(found))
