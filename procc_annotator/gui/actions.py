@@ -375,18 +375,19 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("View", "turn_map", "Turn the field map to the camera", "",
           "services.visible_region.set_wanted",
           "The field map has the side below that the camera stands on, and what the camera does not"
-          " see is faint; the half that is out of sight leaves its room to the other one",
+          " see is faint",
           checkable=True, remembered=True, checked=True),
     _spec("View", "top_view", "Picture on the field map", "", "services.top_view.set_enabled",
           "Show the picture on the field map, as seen from above: lines that bend or miss the map's"
           " show where a camera is wrong", checkable=True, remembered=True),
-    _spec("View", "strip", "Strip of frames", "", "strip.set_wanted",
-          "Below the picture of a video or of consecutive frames: how good their cameras are and"
-          " where they are annotated",
+    _spec("View", "strip", "Strip of frames", "", "strips.set_wanted",
+          "Below the picture: thumbnails of the frames, or the timeline of a video",
           checkable=True, remembered=True, checked=True),
-    _spec("View", "plots", "Plots", "F5", "panels.toggle_plots",
-          "Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below"
-          " the picture; once more shuts it"),
+    _spec("View", "frames_list", "List of frames", "Shift+F4", "panels.toggle",
+          "Show the frames with their names and a filter at the left, instead of the strip; once"
+          " more closes the list", args=("frames",)),
+    _spec("View", "plots", "Plots", "F5", "panels.toggle",
+          "Errors and JaC of the frame or the set, of all shown sources", args=("plots",)),
     _spec("View", "desk_annotate", "-Panels to annotate", "Shift+F1", "panels.turn_to",
           "Elements, what the check found, landmarks", args=("annotate",), checkable=True,
           checked=True, choice="desk"),

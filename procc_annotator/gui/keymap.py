@@ -53,7 +53,6 @@ GESTURES: tuple[tuple[str, str], ...] = (
 
 NATIVE = QKeySequence.SequenceFormat.NativeText
 _PORTABLE = QKeySequence.SequenceFormat.PortableText
-_LONG = 6  # letters, as "Shift+" has
 _HELD = word("what is held down in the picture")
 
 
@@ -150,10 +149,9 @@ def chords_of(text: str) -> tuple[str, ...]:
 
 
 def short_text(keys: str) -> str:
-    """Keys as people write them, for where room is scarce: with the sign of Shift, where a language
-    has a long name for it."""
+    """Keys as people write them, for where room is scarce: with the sign of Shift."""
     shift = QKeySequence("Shift+A").toString(NATIVE).removesuffix("A")
-    return keys.replace(shift, "⇧") if len(shift) > _LONG else keys
+    return keys.replace(shift, "⇧")
 
 
 def clashes(keymap: Keymap, elements: Sequence[Element] = ()) -> dict[str, str]:

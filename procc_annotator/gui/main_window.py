@@ -36,6 +36,7 @@ from procc_annotator.gui.panels.agreement import AgreementPanel
 from procc_annotator.gui.panels.cameras import CamerasPanel
 from procc_annotator.gui.panels.elements import ElementsPanel
 from procc_annotator.gui.panels.field_map.field_map_panel import FieldMapPanel
+from procc_annotator.gui.panels.film_strip import FrameStrips
 from procc_annotator.gui.panels.findings import FindingsPanel
 from procc_annotator.gui.panels.fit import FitPanel
 from procc_annotator.gui.panels.frames import FramesPanel
@@ -44,7 +45,7 @@ from procc_annotator.gui.panels.plots.plots_panel import PlotsPanel
 from procc_annotator.gui.panels.review import ReviewPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.panels.timeline.shot_strip import ShotStrip
-from procc_annotator.gui.panels.widgets import vbox
+from procc_annotator.gui.panels.widgets import hbox, vbox
 from procc_annotator.gui.settings import RECENT, SECOND, Settings
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
@@ -59,12 +60,12 @@ from procc_annotator.gui.window.keyboard_focus import (
     FocusRing,
 )
 from procc_annotator.gui.window.menus import Actions, ActionStates, FindingTips, canvas_menu
-from procc_annotator.gui.window.status import ErrorReports, MessageRouter, StatusLine
+from procc_annotator.gui.window.status import ErrorReports, IsolatedRow, MessageRouter, StatusLine
 from procc_annotator.gui.window.tool_bar import SideToolBar
 from procc_annotator.gui.window.top_bar import TopBar
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
 from procc_annotator.gui.window.window_settings import BoundSettings, WindowState, apply_appearance
-from procc_annotator.gui.window.workspaces import TITLES, PlotsHandle, Workspaces, WorkspaceSwitch
+from procc_annotator.gui.window.workspaces import TITLES, Workspaces, WorkspaceSwitch
 from procc_annotator.translation import tr
 
 
@@ -114,21 +115,26 @@ class MainWindow(QMainWindow):
 
     def _make_bars(self) -> None:
         """Make the bars around the picture and the panels."""
-        self.workspace_switch = WorkspaceSwitch(self, self.actions_)
+        self.workspace_switch = WorkspaceSwitch(self.actions_)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
         self.landmarks.add_actions(self.actions_["group_views"])
         self.top_bar = TopBar(self.services, self.actions_, self.actions_.menus["File/Field"])
-        self.addToolBar(self.top_bar)
+        row = QWidget()
+        parts = (self.actions_.bar, (IsolatedRow(self.top_bar), 1), self.workspace_switch)
+        row.setLayout(line := hbox(*parts, spacing=4, margins=(0, 1, 4, 1)))
+        line.setAlignment(self.actions_.bar, Qt.AlignmentFlag.AlignVCenter)
+        self.setMenuWidget(row)
+        self._centre.insertWidget(0, self.top_bar.camera_bar)
+        self.panels.turned.connect(self.top_bar.camera_bar.show_in)
         self.side_bar = SideToolBar(self.actions_)
         self.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self.side_bar)
+        self.strips.show_action(self.actions_["frames_list"])
         self.field_choosing.fill(
             self.actions_.menus["File/Field"],
             self.actions_["field_file"],
             self.actions_["switch_field"],
         )
-        self.drawer = PlotsHandle(self.panels, self.actions_["plots"])
-        self._centre.addWidget(self.drawer)
         self.status = StatusLine(self.services, self.canvas)
         self.setStatusBar(self.status)
 
@@ -193,10 +199,11 @@ class MainWindow(QMainWindow):
         self.pages = QStackedWidget()
         self.pages.addWidget(self.welcome)
         self.pages.addWidget(self.canvas)
-        self.strip = ShotStrip(self.services, self.canvas.editor)
+        self.strip = ShotStrip(self.services)
         self.strip.show_tasks(self.shot_following, self.stretch_accepting)
+        self.strips = FrameStrips(self.services, self.frames, self.strip)
         centre = QWidget()
-        self._centre = vbox(self.pages, self.strip, of=centre, spacing=0, margins=0)
+        self._centre = vbox(self.pages, self.strips, of=centre, spacing=0, margins=0)
         self._bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
         self.bars = BarStack(self._bars, self.pages)
         self.bars.heightChanged.connect(self.canvas.set_covered)
@@ -248,6 +255,8 @@ class MainWindow(QMainWindow):
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
         self.side_bar.looks.lookChanged.connect(self.canvas.shown.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
+        for changed in (self.docks["frames"].visibilityChanged, self.panels.allHidden):
+            changed.connect(self._show_strip)
         self.ghost_tasks.accepting.progressed.connect(self.status.show_ghosts)
         self.worst_first.progressed.connect(self.status.show_comparing)
         self.triage.serve(self.scores.verdict)
@@ -289,6 +298,11 @@ class MainWindow(QMainWindow):
         menu.deleteLater()
 
     # --- panels ---------------------------------------------------------------------------
+
+    def _show_strip(self) -> None:
+        """The frames have one place: the strip, or the list; none where all panels are hidden."""
+        hidden = self.actions_["hide_panels"].isChecked()
+        self.strips.set_covered(hidden or not self.docks["frames"].isHidden())
 
     def find_anything(self) -> None:
         """Show the command palette; once more puts it away."""

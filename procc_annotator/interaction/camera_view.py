@@ -85,7 +85,6 @@ UNCERTAINTY = MapStyle(
 _BESIDE_PX = 10.0  # on either side of a place of the picture: which way right is there
 _GRID = 60  # samples along each side of the field
 _BEYOND = 0.06  # of the field: so far beyond its lines the map has ground, too
-_ACROSS = 0.06  # of the field's length beyond the middle that still leaves the other half alone
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,13 +96,11 @@ class VisibleField:
             bring the side the camera stands on to the bottom: 0 for the main camera's side, 1 to 3.
         names: the elements that are in the picture, whether in part.
         ground: the ground that is in the picture, metres, as far as the field reaches.
-        half: -1 or 1 where nothing is in sight of the half with larger or smaller x; else 0.
     """
 
     turns: int
     names: frozenset[str]
     ground: tuple[Polygon, ...]
-    half: int
 
 
 def visible_field(field: Field, camera: Camera, size: tuple[int, int]) -> VisibleField | None:
@@ -115,8 +112,7 @@ def visible_field(field: Field, camera: Camera, size: tuple[int, int]) -> Visibl
     turns = _turns(camera, size, area, [s.points_px for s in stretches])
     if not names or turns is None:
         return None
-    ground = _ground_in_sight(area, camera, size)
-    return VisibleField(turns, frozenset(names), ground, _half(ground, area))
+    return VisibleField(turns, frozenset(names), _ground_in_sight(area, camera, size))
 
 
 def _turns(
@@ -164,16 +160,6 @@ def _ground_in_sight(
     inside = np.where(shown & np.isfinite(inside), inside, -far).clip(-far, far)
     bands = filled_contours(inside.reshape(_GRID, _GRID), x, y, (0.0, math.inf))
     return bands[0].polygons
-
-
-def _half(ground: tuple[Polygon, ...], area: GroundRectangle) -> int:
-    if not ground:
-        return 0
-    x = np.concatenate([outlines[0][:, 0] for outlines in ground])
-    middle, across = (area.left + area.right) / 2, _ACROSS * (area.right - area.left)
-    if x.min() > middle - across:
-        return 1
-    return -1 if x.max() < middle + across else 0
 
 
 Vector = tuple[float, float, float]

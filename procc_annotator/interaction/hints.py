@@ -1,10 +1,11 @@
-"""Status bar hints: what the next click, Enter and Esc do.
+"""Status bar hints in two parts: what the next click does, and what at most four keys do.
 
-These three come first in every state, since a narrow window shows only the beginning.
+Keys that do nothing are left out; the sheet of keys (F1) has all of them.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -34,28 +35,35 @@ class GhostHint:
 
 
 SEPARATOR = "  •  "
-_NOTHING_TO_DO = word("click, Enter and Esc do nothing yet")
+KEYS = "    |    "  # before the second part
+_MOST_KEYS = 4
 _NAMED_AFTER = word("click begins a line that is named after")
 
 
 @dataclass(frozen=True, slots=True)
 class _HintText:
-    """The phrases of a state: tool in hand, effect of a click ("" if the answers say it), effects
-    of Enter and Esc, and anything else."""
+    """The phrases of a state: tool in hand, effect of a click, effects of keys, the most used
+    first; "" for what does nothing.
+
+    Attributes:
+        answers: of Enter and Esc.
+        more: of further keys.
+    """
 
     tool: str
     click: str
-    answers: tuple[str, ...]
+    answers: tuple[str, ...] = ()
     more: tuple[str, ...] = ()
 
-    @property
-    def said(self) -> list[str]:
-        """All of them in their order."""
-        return [self.tool, *filter(None, (self.click,)), *self.answers, *self.more]
+    def __str__(self) -> str:
+        keys = [phrase for phrase in (*self.answers, *self.more) if phrase][:_MOST_KEYS]
+        return join_hint((self.tool, self.click), keys)
 
-    def with_more_first(self, *phrases: str) -> _HintText:
-        """Something that is to be known before all else, next to what the keys do."""
-        return replace(self, more=(*phrases, *self.more))
+
+def join_hint(parts: Sequence[str], keys: Sequence[str]) -> str:
+    """Return the two parts of a hint as one text."""
+    texts = (SEPARATOR.join(filter(None, phrases)) for phrases in (parts, keys))
+    return KEYS.join(filter(None, texts))
 
 
 def status_hint(
@@ -69,7 +77,6 @@ def status_hint(
     over: Hit | None = None,
     blind: bool = False,
     upcoming: str | None = None,
-    suggested: str | None = None,
     ghosts: GhostHint = GhostHint(),
 ) -> str:
     """Say what comes next.
@@ -83,48 +90,40 @@ def status_hint(
         ghosts: how many there are, and which one is examined.
     """
     if context is None:
-        offer = tr("Drop a folder of pictures here, or open one with Ctrl+O")
-        return SEPARATOR.join([offer, tr(_NOTHING_TO_DO)])
+        return tr("Drop a folder of pictures here, or open one with Ctrl+O")
+    walking = ghosts.current is not None or ghosts.coming
     if blocked:
-        return SEPARATOR.join([tr("READ ONLY"), blocked, *_blocked_words(ghosts, field)])
+        keys = (tr("Esc goes back"), tr("Tab goes on")) if walking else ()
+        return join_hint((tr("READ ONLY"), blocked, _ghost_title(ghosts, field)), keys)
     if ghosts.current is not None and not draw.busy and not edit.busy:
         by_hand = mode == "draw"
         click = tr("click begins it by hand") if by_hand else _click_words(context, field, over)
-        said = _ghost_words(ghosts, _title(ghosts.current, field), click)
+        words = _ghost_words(ghosts, _ghost_title(ghosts, field), click)
     else:
-        drawing = mode == "draw"
         words = (
             _draw_words(draw, context, field, upcoming)
-            if drawing
+            if mode == "draw"
             else _edit_words(edit, context, field, over)
         )
         if not draw.busy and not edit.busy:
             all_too = not context.is_unconfirmed(context.selected_class or "")  # Enter confirms it
-            words = _with_ghosts(words, ghosts, all_too=all_too)
-            if suggested is not None and (not drawing or suggested != context.selected_class):
-                words = words.with_more_first(tr("next: {title}", title=_title(suggested, field)))
-        said = words.said
+            words = _with_ghosts(words, ghosts, field, all_too=all_too)
     if blind:
         commits = tr("Ctrl+Enter commits the frame and shows the projection")
-        said = [tr("BLIND"), *said, commits]
-    return SEPARATOR.join(said)
+        tool = SEPARATOR.join((tr("BLIND"), words.tool))
+        words = replace(words, tool=tool, answers=(*words.answers, commits))
+    return str(words)
 
 
-def _blocked_words(ghosts: GhostHint, field: Field) -> list[str]:
-    if ghosts.current is None and not ghosts.coming:
-        return [tr(_NOTHING_TO_DO)]
-    ghost = (
-        tr("GHOST {title}", title=_title(ghosts.current, field))
-        if ghosts.current is not None
-        else tr("GHOST the next one comes")
-    )
-    return [ghost, tr("click and Enter do nothing"), tr("Esc goes back"), tr("Tab goes on")]
+def _ghost_title(ghosts: GhostHint, field: Field) -> str:
+    if ghosts.current is not None:
+        return tr("GHOST {title}", title=_title(ghosts.current, field))
+    return tr("GHOST the next one comes in a moment") if ghosts.coming else ""
 
 
-def _with_ghosts(words: _HintText, ghosts: GhostHint, *, all_too: bool) -> _HintText:
+def _with_ghosts(words: _HintText, ghosts: GhostHint, field: Field, *, all_too: bool) -> _HintText:
     if ghosts.coming:
-        waits = tr("GHOST the next one comes in a moment")
-        return _HintText(waits, words.click, (tr("Enter does nothing yet"), tr("Esc goes back")))
+        return _HintText(_ghost_title(ghosts, field), words.click, (tr("Esc goes back"),))
     if not ghosts.count:
         return words
     count = ghosts.count
@@ -133,25 +132,19 @@ def _with_ghosts(words: _HintText, ghosts: GhostHint, *, all_too: bool) -> _Hint
         if ghosts.resumes
         else tr_count(count, "Tab: first of {n} ghost", "Tab: first of {n} ghosts")
     )
-    return words.with_more_first(tab, *([tr("Shift+Enter: accept all")] if all_too else []))
+    every = tr("Shift+Enter: accept all") if all_too else ""
+    return replace(words, more=(tab, every, *words.more))
 
 
-def _ghost_words(ghosts: GhostHint, title: str, click: str) -> list[str]:
+def _ghost_words(ghosts: GhostHint, title: str, click: str) -> _HintText:
     if ghosts.points is None:
         enter = tr("Enter accepts it")
     elif ghosts.points:
         enter = tr_count(ghosts.points, "Enter accepts {n} point", "Enter accepts {n} points")
     else:
         enter = tr("Enter does nothing: no line is found along it")
-    return [
-        tr("GHOST {title}", title=title),
-        click,
-        enter,
-        tr("Esc goes back"),
-        tr("Tab goes on"),
-        tr(". not visible here"),
-        tr("Shift+Enter: all"),
-    ]
+    answers = (enter, tr("Tab goes on"), tr(". not visible here"), tr("Esc goes back"))
+    return _HintText(title, click, answers)
 
 
 def _draw_words(
@@ -162,11 +155,9 @@ def _draw_words(
     if context.selected_class is not None:
         return _chosen_words(context.selected_class, context, field, upcoming)
     if context.unnamed is not None:
-        first = tr("or choose its element first: field map, list, its key or /")
-        answers = (tr("Enter and Esc do nothing yet"), first)
-        return _HintText(tr("DRAW"), tr(_NAMED_AFTER), answers, _snap_words(context))
-    choose = tr("choose an element: field map, list, its key or /")
-    return _HintText(tr("DRAW"), "", (choose, tr(_NOTHING_TO_DO)))
+        find = tr("/ finds an element")
+        return _HintText(tr("DRAW"), tr(_NAMED_AFTER), more=(find, *_snap_words(context)))
+    return _HintText(tr("DRAW"), tr("choose an element: field map, list, its key or /"))
 
 
 def _drawing_words(
@@ -199,13 +190,11 @@ def _chosen_words(
     tool = (
         tr("DRAW {title}, unconfirmed", title=title) if waiting else tr("DRAW {title}", title=title)
     )
-    enter = tr("Enter does nothing") if spot else tr("Enter does nothing yet")
-    if waiting:
-        enter = tr("Enter confirms it")
+    enter = tr("Enter confirms it") if waiting else ""
     answers, more = (enter, tr("Esc deselects")), _point_words(context)
     if context.clicked_class is None:
-        again = tr("choose it again, then clicks continue it")
-        return _HintText(tool, tr(_NAMED_AFTER) if context.unnamed else "", answers, (again, *more))
+        click = tr("choose it again, then clicks continue it")
+        return _HintText(tool, tr(_NAMED_AFTER) if context.unnamed else click, answers, more)
     if spot:
         following = _title(upcoming, field) if upcoming is not None else None
         return _HintText(tool, _placing_words(following, placed=count > 0), answers, more)
@@ -237,14 +226,14 @@ def _edit_words(edit: EditTool, context: ToolContext, field: Field, over: Hit | 
     if edit.busy:
         return _held_words(edit, context, field)
     click, selected = _click_words(context, field, over), context.selected_class
-    enter = tr("Enter does nothing")
+    enter = ""
     if selected is not None and context.is_unconfirmed(selected):
         enter = tr("Enter confirms {title}", title=_title(selected, field))
     if count := len(context.chosen_points):
         lets_go = tr_count(count, "Esc lets go of the point", "Esc lets go of {n} points")
         return _HintText(tr("EDIT"), click, (enter, lets_go), _point_words(context))
     if selected is None:
-        return _HintText(tr("EDIT"), click, (tr("Enter and Esc do nothing"),))
+        return _HintText(tr("EDIT"), click)
     removes = tuple[str, ...]()
     if context.point_count(selected):
         removes = (tr("Delete removes {title}", title=_title(selected, field)),)
@@ -252,26 +241,24 @@ def _edit_words(edit: EditTool, context: ToolContext, field: Field, over: Hit | 
 
 
 def _held_words(edit: EditTool, context: ToolContext, field: Field) -> _HintText:
-    nothing, back = tr("Enter does nothing"), tr("Esc puts it back")
+    back = (tr("Esc puts it back"),)
     drops = tr("release drops it here")
     if edit.held == "frame":
         chooses = tr("release chooses all points inside")
-        return _HintText(tr("EDIT choosing points"), chooses, (nothing, tr("Esc gives up")))
+        return _HintText(tr("EDIT choosing points"), chooses, (tr("Esc gives up"),))
     if edit.held == "points":
         count = len(context.chosen_points)
-        return _HintText(
-            tr_count(count, "EDIT {n} point", "EDIT {n} points"), drops, (nothing, back)
-        )
+        return _HintText(tr_count(count, "EDIT {n} point", "EDIT {n} points"), drops, back)
     if edit.grabbed is not None:
         name, index = edit.grabbed
         point = tr("EDIT point {number} of {title}", number=index + 1, title=_title(name, field))
         if edit.inserting:
-            back = tr("Esc takes the new point away")
-        return _HintText(point, drops, (nothing, back))
+            back = (tr("Esc takes the new point away"),)
+        return _HintText(point, drops, back)
     if edit.held == "pinned":
         selects = tr("release selects the element, which is pinned")
-        return _HintText(tr("EDIT"), selects, (nothing, tr("Esc lets go")))
-    return _HintText(tr("EDIT the element"), drops, (nothing, back))
+        return _HintText(tr("EDIT"), selects, (tr("Esc lets go"),))
+    return _HintText(tr("EDIT the element"), drops, back)
 
 
 def _click_words(context: ToolContext, field: Field, over: Hit | None) -> str:

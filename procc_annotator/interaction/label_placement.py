@@ -13,7 +13,7 @@ def place_apart(box: Box, taken: Sequence[Box], room: Box) -> Box:
     """The place nearest to where a text would go (left, top, right, bottom) that no text taken
     covers, and that is in sight in the room there is; ``box`` itself where there is no better
     one."""
-    return next((b for b in _around(box) if _within(b, room) and not _covers(b, taken)), box)
+    return next((b for b in _around(box) if _within(b, room) and not covers(b, taken)), box)
 
 
 def _around(box: Box) -> Iterator[Box]:
@@ -30,7 +30,8 @@ def _within(box: Box, room: Box) -> bool:
     return box[0] >= room[0] and box[1] >= room[1] and box[2] <= room[2] and box[3] <= room[3]
 
 
-def _covers(box: Box, taken: Sequence[Box]) -> bool:
+def covers(box: Box, taken: Sequence[Box]) -> bool:
+    """Return whether a box overlaps one of others."""
     return any(
         box[0] < other[2] and box[2] > other[0] and box[1] < other[3] and box[3] > other[1]
         for other in taken

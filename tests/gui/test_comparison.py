@@ -192,6 +192,7 @@ class TestKeysHeldElsewhere:
 
     def focus(self, window: MainWindow, qtbot: QtBot, where: str) -> QWidget:
         """Use a part of the window; whoever has the focus then."""
+        window.panels.show("frames")
         if where == "frames":  # a click there leaves the keys to the picture, walking does not
             QTest.mouseClick(window.findChild(QLineEdit, "frames_filter"), LEFT)
             QTest.keyClick(window.findChild(QLineEdit, "frames_filter"), Qt.Key.Key_Down)

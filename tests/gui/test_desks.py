@@ -15,7 +15,7 @@ from tests.gui.conftest import all_done
 
 InFront = Callable[[MainWindow, str], bool]
 SHIFT = Qt.KeyboardModifier.ShiftModifier
-JUDGE = set(WORKSPACES["judge"]) - {"plots"}  # the drawer is shut at first
+JUDGE = set(WORKSPACES["judge"])
 
 
 def opened(window: MainWindow) -> set[str]:
@@ -71,7 +71,7 @@ def test_each_is_found_as_it_was_left(window, in_front, qtbot):
     window.resizeDocks([window.docks["elements"]], [300], Qt.Orientation.Horizontal)
     all_done(qtbot)
     window.panels.turn_to("judge")
-    assert opened(window) == {"cameras", "fit"}
+    assert opened(window) == {"cameras", "fit", "plots"}
     assert in_front(window, "fit")
     all_done(qtbot)
     assert abs(window.docks["fit"].width() - wide) <= 2
@@ -90,7 +90,10 @@ def test_a_panel_that_was_torn_off_stays(window):
 
 
 def test_hidden_panels_come_back_with_a_work(window):
-    QTest.keyClick(window.canvas, Qt.Key.Key_F11)
+    window.panels.enter("elements")
+    QTest.keyClick(window.elements.search, Qt.Key.Key_F11)
+    assert window.canvas.hasFocus()
+    assert window.focus_ring.widget is not window.field_map
     assert not opened(window)
     QTest.keyClick(window.canvas, Qt.Key.Key_F3, SHIFT)
     assert opened(window) == {"review"}
@@ -127,7 +130,7 @@ def test_what_is_kept_in_another_form_is_passed_over(make_window, dataset):
 @pytest.mark.parametrize("desk", WORKSPACES)
 def test_no_tab_hides_behind_an_arrow(make_window, dataset, qtbot, desk):
     window = make_window(dataset, size=(1280, 720))
-    qtbot.waitUntil(lambda: window.docks["elements"].width() >= 280)
+    qtbot.waitUntil(lambda: window.docks["elements"].width() >= 200)
     window.panels.turn_to(desk)
     all_done(qtbot)
     direct = Qt.FindChildOption.FindDirectChildrenOnly
@@ -136,46 +139,43 @@ def test_no_tab_hides_behind_an_arrow(make_window, dataset, qtbot, desk):
             assert bar.tabRect(bar.count() - 1).right() <= bar.width()
 
 
-class TestDrawer:
-    def test_it_opens_below_the_picture_and_shuts(self, window, qtbot):
-        assert window.drawer.isHidden()
-        window.panels.turn_to("judge")
-        assert window.drawer.isVisible()
-        all_done(qtbot)  # or the picture is laid out once more
-        tall = window.canvas.height()
-        QTest.mouseClick(window.drawer, Qt.MouseButton.LeftButton)
-        plots, canvas = window.docks["plots"], window.canvas
-        qtbot.waitUntil(lambda: canvas.height() < tall)
-        all_done(qtbot)
-        assert plots.mapTo(window, plots.rect().topLeft()).y() > canvas.geometry().bottom()
-        assert abs(plots.width() - window.centralWidget().width()) <= 2  # the columns stay whole
-        assert "Shut" in window.drawer.toolTip()
-        assert opened(window) == set(WORKSPACES["judge"])
-        QTest.keyClick(window.canvas, Qt.Key.Key_F5)
-        qtbot.waitUntil(lambda: canvas.height() == tall)
-        assert opened(window) == JUDGE
+def test_plots_are_a_panel_like_the_others(window, in_front):
+    QTest.keyClick(window.canvas, Qt.Key.Key_F5)
+    assert in_front(window, "plots")
+    QTest.keyClick(window.canvas, Qt.Key.Key_F5)
+    assert opened(window) == JUDGE - {"plots"}
+    window.panels.turn_to("annotate")
+    window.panels.turn_to("judge")
+    assert opened(window) == JUDGE - {"plots"}
+    window.panels.show("plots")
+    window.docks["plots"].setFloating(True)
+    window.panels.turn_to("annotate")
+    assert not window.docks["plots"].isHidden()
 
-    def test_each_work_remembers_it(self, window, qtbot):
-        QTest.keyClick(window.canvas, Qt.Key.Key_F5)
-        plots = window.docks["plots"]
-        qtbot.waitUntil(plots.isVisible)
-        all_done(qtbot)
-        window.resizeDocks([plots], [190], Qt.Orientation.Vertical)
-        all_done(qtbot)
-        high = plots.height()
-        window.panels.turn_to("annotate")
-        assert opened(window) == set(WORKSPACES["annotate"])
-        assert window.drawer.isHidden()
-        window.panels.turn_to("judge")
-        all_done(qtbot)
-        assert plots.isVisible()
-        assert abs(plots.height() - high) <= 2
 
-    def test_it_can_be_torn_off(self, window):
-        QTest.keyClick(window.canvas, Qt.Key.Key_F5)
-        window.docks["plots"].setFloating(True)
-        window.panels.turn_to("annotate")
-        assert not window.docks["plots"].isHidden()
-        window.panels.reset_layout()
-        assert not window.docks["plots"].isFloating()
-        assert opened(window) == set(WORKSPACES["annotate"])
+def test_frames_have_one_place(window, qtbot):
+    """The strip below the picture, or the list with its filter, workspace by workspace."""
+    strips, frames, film = window.strips, window.frames, window.strips.film
+    assert strips.isVisible()
+    assert frames.isHidden() or not frames.isVisible()
+    at = film.visualRect(film.model().index(0, 2)).center()
+    QTest.mouseClick(film.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    assert window.services.state.frame_index == 2
+    QTest.keyClick(window.canvas, Qt.Key.Key_F, Qt.KeyboardModifier.ControlModifier)
+    assert frames.isVisible()
+    assert strips.isHidden()
+    frames.filter.setText("frame_1")
+    qtbot.waitUntil(lambda: frames.model.shown == 1)
+    QTest.keyClick(window.canvas, Qt.Key.Key_F4, SHIFT)
+    assert not frames.isVisible()
+    assert window.canvas.hasFocus()
+    assert "frame_1" in strips.filtered.text()
+    assert film.model().columnCount() == 1
+    QTest.mouseClick(strips.filtered, Qt.MouseButton.LeftButton)
+    qtbot.waitUntil(lambda: film.model().columnCount() == frames.model.total)
+    assert strips.filtered.isHidden()
+    window.panels.turn_to("review")
+    assert frames.isVisible()
+    assert strips.isHidden()
+    window.panels.hide_all(True)
+    assert strips.isHidden()

@@ -29,6 +29,16 @@ def test_none_covers_another_and_all_are_in_sight(qapp):
     assert all(p.place[0] >= 0 and p.place[2] <= 600 and p.place[3] <= 400 for p in plates)
 
 
+def test_signs_give_way_to_signs_and_a_text_without_room_is_left_out(qapp):
+    signs = Labels(AT[:3], ("off",) * 3, "#fff", sign="error")
+    distances = Labels(np.repeat(AT[:1], 60, axis=0), tuple(map(str, range(60))), "#fff")
+    small = (250.0, 150.0, 350.0, 250.0)
+    plates = arranged((distances, signs), (1.0, 0.0, 0.0), small)
+    assert [plate.text for plate in plates[:3]] == ["off"] * 3
+    assert 10 < len(plates) < 63
+    assert not any(cover(a, b) for a, b in combinations(plates, 2))
+
+
 def test_a_sign_stays_at_its_point_and_what_is_at_the_cursor_moves_nothing(qapp):
     def at(*groups: Labels) -> dict[str, tuple[float, ...]]:
         return {p.text: p.place for p in arranged(groups, (1.0, 0.0, 0.0), ROOM)}

@@ -41,6 +41,7 @@ from procc_annotator.gui.panels.element_states import short_titles
 from procc_annotator.gui.settings import CONTEXT, LANGUAGES, take_up
 from procc_annotator.gui.window.key_dialogs import KeymapDialog
 from procc_annotator.gui.window.menus import mnemonics
+from procc_annotator.gui.window.top_bar import WordsButton
 from procc_annotator.gui.window.workspaces import WORKSPACES
 from procc_annotator.report.tables.data_files import json_bytes
 from procc_annotator.translation import (
@@ -354,6 +355,8 @@ def longest(request, qapp) -> Iterator[str]:
 def _too_narrow(widget: QWidget) -> str:
     """What of a widget's text has no room; "" where it has, or its tip has all of it."""
     text = getattr(widget, "text", str)()
+    if isinstance(widget, WordsButton):
+        return "" if widget.width() >= widget.minimumSizeHint().width() else widget.words()
     if isinstance(widget, QLabel):
         if not text or text in widget.toolTip():
             return ""

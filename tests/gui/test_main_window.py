@@ -3,7 +3,6 @@
 import json
 import math
 import shutil
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -21,10 +20,10 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.settings import LAYOUT, Settings
 from procc_annotator.gui.theme import alarm_colours, palette
 from procc_annotator.gui.window.key_dialogs import KeySheet
-from procc_annotator.gui.window.status import MESSAGE_END
 from procc_annotator.gui.window.tool_bar import IconButton
 from procc_annotator.gui.window.welcome import RecentMenu
-from procc_annotator.interaction.hints import SEPARATOR
+from procc_annotator.gui.window.workspaces import WORKSPACES
+from procc_annotator.interaction.hints import join_hint
 from tests.gui.conftest import SIZE, sheet_text
 
 MIDDLE = "Middle line"
@@ -327,13 +326,15 @@ class TestWindow:
     @pytest.mark.parametrize("size", [(1280, 720), (1920, 1080)])
     def test_nothing_of_the_bars_is_cut_off(self, make_window, dataset, cameras, size):
         window = make_window(dataset, size=size, cameras=cameras)
+        window.panels.turn_to("judge")
+        QApplication.processEvents()
         assert window.size().toTuple() == size
         bar = window.top_bar
         judged = bar.camera_bar
         for widget in (judged.tau, judged.cameras, judged.terms, bar.chip, bar.saved, bar.search):
             assert widget.isVisible()
-            right = widget.mapTo(bar, QPoint(widget.width(), 0)).x()
-            assert right <= bar.width()
+            around = widget.parentWidget()
+            assert around.rect().contains(widget.geometry())
             assert widget.width() >= widget.minimumSizeHint().width()
         for button in window.side_bar.findChildren(IconButton):
             assert button.isVisible()
@@ -386,8 +387,9 @@ class TestNotices:
 @pytest.mark.parametrize("with_dataset", [False, True])
 def test_panels_start_wide_enough_to_be_read(make_window, dataset, qtbot, with_dataset):
     window = make_window(dataset if with_dataset else None)
-    qtbot.waitUntil(lambda: window.docks["elements"].width() >= 280)
-    assert window.docks["frames"].width() >= 200
+    qtbot.waitUntil(lambda: window.docks["elements"].width() >= 220)
+    window.panels.turn_to("review")
+    qtbot.waitUntil(lambda: window.docks["frames"].width() >= 200)
 
 
 def test_the_field_map_keeps_its_room_whatever_panel_is_opened(make_window, annotated, qtbot):
@@ -395,23 +397,25 @@ def test_the_field_map_keeps_its_room_whatever_panel_is_opened(make_window, anno
     window.services.camera_sources.load_cameras(annotated / "cameras" / "bad")
     window.services.navigator.go_to(1)
     qtbot.waitUntil(lambda: window.services.live_fit.result is not None)
-    height = window.field_map.height()
-    assert height >= 220
-    for name in set(window.docks) - {"frames", "field_map"}:
-        window.panels.show(name)
-        QApplication.processEvents()
-        assert window.field_map.height() == height, name
+    for names in WORKSPACES.values():
+        heights = set()
+        for name in names:
+            window.panels.show(name)
+            QApplication.processEvents()
+            heights.add(window.field_map.height())
+        assert len(heights) == 1, names
+        assert min(heights) >= 150
     assert window.height() == 720
 
 
 def test_a_layout_of_another_version_is_dropped(make_window, dataset):
     first = make_window(dataset)
-    first.docks["frames"].close()
+    first.docks["findings"].close()
     first.tabifyDockWidget(first.docks["elements"], first.docks["field_map"])
     first.close()
     Settings().set(LAYOUT, first.saveState(2))
     second = make_window(dataset)
-    assert second.docks["frames"].isVisible()
+    assert second.docks["frames"].isHidden()
     assert second.docks["agreement"].isHidden()
     assert second.docks["field_map"] not in second.tabifiedDockWidgets(second.docks["elements"])
     assert second.docks["findings"] in second.tabifiedDockWidgets(second.docks["elements"])
@@ -431,43 +435,17 @@ def test_keys_draw_again_after_a_click_in_the_list_of_frames(window, hand):
     assert window.canvas.hasFocus()
 
 
-def test_long_titles_of_elements_are_cut_in_their_middle(window, qtbot):
-    status, services = window.status, window.services
-    title = (
-        "Far touchline of the pitch that was repainted beside the old athletics track, number 20"
-    )
-    field = services.state.field
-    far = replace(field.elements[field.index["Side line top"]], title=title)
-    others = [e for e in field.elements if e.name != far.name]
-    services.evaluation.set_field(replace(field, elements=(*others, far)))
-    services.selection.select_class(far.name)
-    figures = [status.pixels.geometry(), status.metres.geometry()]
-    qtbot.waitUntil(lambda: "DRAW Far touch" in status.hint.text_for(2000))
-    for name in (title, "Near touchline"):
-        status.tell(f"removed point 2 of {name}, 3 are left")
-        QApplication.processEvents()
-        shown = status.hint.text_for(status.hint.width())
-        told, _, hint = shown.partition(MESSAGE_END)
-        assert told.startswith("removed point 2 of ")
-        assert told.endswith(", 3 are left")
-        assert hint.startswith("DRAW Far touch")
-        assert ", number 20  •  click begins it  •  Enter" in hint
-        assert title not in shown
-        assert title in status.hint.toolTip()
-    assert [status.pixels.geometry(), status.metres.geometry()] == figures
-
-
-def test_a_long_title_does_not_hide_how_to_go_on(window):
+def test_a_narrow_hint_leaves_out_whole_keys(window):
     hint = window.status.hint
-    how = ["click begins it by hand", "Enter accepts 5 points", "Esc goes back", "Tab goes on"]
-    title = "GHOST Right three-point far straight"
-    hint.show_line("", SEPARATOR.join([title, *how, ". not visible here"]))
-    width = hint.fontMetrics().horizontalAdvance(SEPARATOR.join(["GHOST Right…traight", *how, "…"]))
-    shown = hint.text_for(width + 10)
-    assert "Tab goes on" in shown
-    assert shown.startswith("GHOST ")
-    assert title not in shown
-    assert hint.text_for(10 * width) == hint.text()
+    click, keys = ("DRAW Halfway line", "click adds a point"), ("Enter finishes", "Esc cancels")
+    texts = [join_hint(click, keys[:count]) for count in range(3)]
+    hint.show_line("", texts[-1])
+    for text in texts:
+        assert hint.text_for(hint.fontMetrics().horizontalAdvance(text) + 2) == text
+    figures = [window.status.pixels.geometry(), window.status.metres.geometry()]
+    window.status.tell("removed point 2 of Near touchline, 3 are left " * 4)
+    QApplication.processEvents()
+    assert [window.status.pixels.geometry(), window.status.metres.geometry()] == figures
 
 
 def test_a_panel_behind_another_tab_waits_until_it_is_looked_at(window, qtbot):

@@ -1,4 +1,4 @@
-"""One element is next, the same on the field map, in the picture, in the list and in the bar."""
+"""One element is next, the same on the field map, in the picture and in the list."""
 
 import json
 import shutil
@@ -29,8 +29,8 @@ def part_of(sample: Path, folder: Path, names: tuple[str, ...], fewer: int) -> P
 
 
 def told(window: MainWindow) -> dict[str, str | None]:
-    """The titles that the four places give."""
-    services, field = window.services, window.services.state.field
+    """The titles that the three places give."""
+    field = window.services.state.field
     window.panels.show("elements")
     window.elements._refresh()
     window.field_map._refresh()
@@ -44,15 +44,10 @@ def told(window: MainWindow) -> dict[str, str | None]:
     shown = [t for labels in window.canvas.overlay_item.ghosts.labels for t in labels.texts]
     drawn = [text.removeprefix("next: ") for text in shown if text.startswith("next: ")]
     assert len(drawn) <= 1
-    words = window.canvas.hint.split("  •  ")
-    said = [word.removeprefix("next: ") for word in words if word.startswith("next: ")]
-    if not said and services.state.selected_class is not None and words[0].startswith("DRAW"):
-        said = [field.title_of(services.state.selected_class)]
     return {
         "map": None if best is None else field.title_of(best.name),
         "list": next(iter(listed), None),
         "picture": next(iter(drawn), None),
-        "bar": next(iter(said), None),
     }
 
 

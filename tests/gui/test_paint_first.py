@@ -107,10 +107,10 @@ def test_a_text_in_a_bar_does_not_lay_out_the_window(audited, qtbot):
     saved.set_saved("saving...", alarm=False)
     status.set_work("scoring 1 / 2,000")
     status.tell("a line that is longer than the one before it")
-    audited.top_bar.camera_bar.jac.setText("<b>JaC 0.123</b>")
+    audited.top_bar.camera_bar.jac.set_text("JaC 0.123")
     QApplication.processEvents()
     layouts.count = 0  # the score may need other room than the one before it
-    audited.top_bar.camera_bar.jac.setText("<b>JaC 0.456</b>")
+    audited.top_bar.camera_bar.jac.set_text("JaC 0.456")
     saved.set_saved("NOT SAVED: 2 frames", alarm=True)
     status.set_work("")
     status.tell("short")
@@ -150,6 +150,7 @@ def test_an_edit_is_painted_before_anything_that_waits_its_turn(audited, qtbot):
 
 
 def test_one_row_of_the_frames_is_painted_for_one_frame(audited, qtbot):
+    audited.panels.show("frames")
     all_done(qtbot)  # thumbnails, marks and the label check paint rows when they come
     check, rows = audited.services.label_check, audited.frames.list
     painted = Painted(rows.viewport())

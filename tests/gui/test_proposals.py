@@ -133,7 +133,7 @@ class TestAFrameWithoutAnnotation:
             plate.say(text, tones.PASSES)
             plate._stand()
             assert plate.height() == one_line
-        reason = "99 % of the lines in sight lie on paint, which explains 84 % of it " * 2
+        reason = "99 % of the lines in sight lie on paint, which explains 84 % of it " * 3
         plate.say(reason, tones.PASSES)
         plate._stand()
         assert plate.width() < plate.wanted_size().width()

@@ -81,6 +81,9 @@ def test_the_camera_has_room_only_once_there_is_one(window, tmp_path):
     (tmp_path / "cameras").mkdir()
     np.save(tmp_path / "cameras" / "frame_0.npy", np.eye(3))
     window.services.camera_sources.load_cameras(tmp_path / "cameras")
+    assert bar.camera_bar.jac.isVisible()
+    assert not bar.camera_bar.isVisible()
+    window.panels.turn_to("judge")
     assert bar.camera_bar.isVisible()
 
 

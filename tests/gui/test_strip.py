@@ -145,18 +145,22 @@ class TestWhereItIs:
         found = sequence_of([*frames[:4], *frames[5:]])
         assert 4 not in found.index_of
 
-    def test_it_does_not_come_while_a_hand_works(self, make_window, dataset, shot, qtbot):
+    def test_it_takes_the_place_of_the_thumbnails_without_moving_the_picture(
+        self, make_window, dataset, shot, qtbot
+    ):
         window = make_window(dataset)
         all_done(qtbot)
         services = window.services
         services.opening.open_path(shot)
         assert services.sequence.working
         services.selection.select_class("Middle line")
+        QApplication.processEvents()
+        before = window.canvas.height()
+        assert window.strips.film.isVisible()
         qtbot.waitUntil(lambda: services.sequence.value is not None)
 
-        assert not window.strip.isVisible()
-        services.navigator.next_frame()
         assert window.strip.isVisible()
+        assert window.canvas.height() == before  # the thumbnails were as high
 
     def test_it_is_switched_off_and_remembered(self, window, make_window, shot, qtbot):
         window.actions_["strip"].trigger()
@@ -361,7 +365,7 @@ class TestWhatItTells:
         strip = window.strip
         image = strip.grab().toImage()
         ground = strip.palette().color(QPalette.ColorRole.Base)
-        low = strip.fontMetrics().height() + 25  # in the band, as high as the worst frame
+        low = strip.fontMetrics().height() + 17  # in the band, as high as the worst frame
 
         def colour(number: int) -> QColor:
             return image.pixelColor(place_of(window, number).x(), low)

@@ -1,12 +1,14 @@
 """Nothing of the window is cut off where room is short: 1280x720, texts half as large again."""
 
 from collections.abc import Iterator
+from itertools import combinations
 
 import pytest
 from PySide6.QtCore import QPoint, QSize, Qt
 from PySide6.QtWidgets import QApplication, QTabBar, QWidget
 
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.settings import take_up
 from procc_annotator.gui.window.tool_bar import IconButton
 from tests.gui.conftest import Hand
 
@@ -32,16 +34,19 @@ def inside(widget: QWidget, window: MainWindow) -> bool:
 
 def test_everything_is_in_sight_at_1280x720(make_window, dataset, qtbot, text_size):
     window = make_window(dataset, size=(1280, 720))
-    qtbot.waitUntil(lambda: window.docks["elements"].width() >= 300)
+    qtbot.waitUntil(lambda: window.docks["elements"].width() >= 200)
     assert window.size() == QSize(1280, 720)
     bar = window.top_bar
     buttons = window.side_bar.findChildren(IconButton)
     for widget in (bar.chip, bar.saved, bar.search, window.status, *buttons):
         assert widget.isVisible(), widget.objectName()
         assert inside(widget, window), widget.objectName()
-    for desk in ("annotate", "judge", "review"):
+    for desk, least in (("annotate", 0.65), ("judge", 0.45), ("review", 0.45)):
         window.panels.turn_to(desk)
         QApplication.processEvents()
+        picture = window.canvas.size()
+        if text_size == 1.0:
+            assert picture.width() * picture.height() >= least * 1280 * 720
         for tabs in window.findChildren(QTabBar, options=Qt.FindChildOption.FindDirectChildrenOnly):
             if tabs.isVisible():
                 assert tabs.tabRect(tabs.count() - 1).right() <= tabs.width()
@@ -66,7 +71,7 @@ def test_the_class_under_the_pen_is_read(make_window, dataset, text_size, qtbot)
 def test_the_layout_goes_back_to_what_it_was_at_first(make_window, dataset, qtbot):
     window = make_window(dataset, size=(1280, 720))
     docks = window.docks
-    qtbot.waitUntil(lambda: abs(docks["elements"].width() - 320) <= 40)
+    qtbot.waitUntil(lambda: abs(docks["elements"].width() - 240) <= 40)
 
     def seen() -> dict[str, QSize]:
         QApplication.processEvents()
@@ -74,9 +79,26 @@ def test_the_layout_goes_back_to_what_it_was_at_first(make_window, dataset, qtbo
 
     before = seen()
     window.resizeDocks([docks["elements"]], [450], Qt.Orientation.Horizontal)
-    docks["frames"].close()
+    window.panels.show("frames")
     window.panels.turn_to("judge")
     docks["scores"].setFloating(True)
     window.actions_["reset_layout"].trigger()
     assert seen() == before
     assert window.size() == QSize(1280, 720)
+
+
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_the_row_on_top_does_not_overlap(make_window, dataset, qapp, language):
+    try:
+        take_up(qapp, language)
+        window = make_window(dataset, size=(1000, 720))
+        QApplication.processEvents()
+        for row in (window.menuWidget(), window.top_bar):
+            direct = Qt.FindChildOption.FindDirectChildrenOnly
+            parts = [p for p in row.findChildren(QWidget, options=direct) if p.isVisible()]
+            assert len(parts) >= 3
+            assert all(row.rect().contains(part.geometry()) for part in parts)
+            for one, other in combinations(parts, 2):
+                assert not one.geometry().intersects(other.geometry())
+    finally:
+        take_up(qapp, "en")

@@ -32,17 +32,11 @@ from procc_annotator.gui.state.background import after_paint
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import give_role
 from procc_annotator.interaction.gestures import Modifiers
-from procc_annotator.interaction.hints import SEPARATOR
-from procc_annotator.translation import tr, word
+from procc_annotator.interaction.hints import join_hint
+from procc_annotator.translation import tr
 
 _EXPLANATION_MS = 12_000
 _SCREEN_FRAME_MS = 16
-_PAN_HINT = (
-    word("PAN"),
-    word("drag moves the picture"),
-    word("click and Enter do nothing"),
-    word("Esc takes the tool again"),
-)
 
 
 class Canvas(PictureView):
@@ -388,4 +382,4 @@ class Canvas(PictureView):
 
 
 def _pan_hint() -> str:
-    return SEPARATOR.join(tr(words) for words in _PAN_HINT)
+    return join_hint((tr("PAN"), tr("drag moves the picture")), (tr("Esc takes the tool again"),))

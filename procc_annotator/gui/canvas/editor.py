@@ -153,7 +153,6 @@ class Editor(QObject):
             over=self._over,
             blind=not services.state.projection_visible,
             upcoming=self.upcoming if self._draw.busy or self._one_click else None,
-            suggested=None if (best := services.ghosts.suggestion) is None else best.name,
             ghosts=self._ghost_hint(),
         )
 

@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
 from procc_annotator.interaction import palette as tones
-from procc_annotator.interaction.label_placement import place_apart
+from procc_annotator.interaction.label_placement import covers, place_apart
 from procc_annotator.interaction.overlay_primitives import Box, CursorSigns, Labels
 
 # Of the height of the text.
@@ -94,9 +94,9 @@ def arranged(
     unit: float = 1.0,
     times: float = 1.0,
 ) -> tuple[Plate, ...]:
-    """Return where texts go so that they do not cover each other; signs of findings stand where
-    they are, and so does what is at the cursor, which nothing gives way to. What needs painting
-    does not matter: a part that is painted anew fits the rest.
+    """Return where texts go so that they do not cover each other, signs of findings before others;
+    a text without room is left out. What is at the cursor stays there, and nothing gives way to it.
+    What needs painting does not matter: a part that is painted anew fits the rest.
 
     Args:
         groups: texts and their points, picture px.
@@ -117,12 +117,18 @@ def arranged(
                 size = _size(labels, labels.texts[row], letter, unit, times)
                 box = place_label(point, size, seen, unit, below=labels.below)
                 found.append(Plate(labels, row, _box(box)))
-    taken = [plate.place for plate in found if plate.labels.sign]
-    for i, plate in enumerate(found):
-        if not (plate.labels.sign or plate.labels.carried):
-            taken.append(place_apart(plate.place, taken, room))
-            found[i] = plate._replace(place=taken[-1])
-    return tuple(found)
+    shown, taken = list[Plate](), list[Box]()
+    for plate in sorted(found, key=lambda plate: not plate.labels.sign):
+        if plate.labels.carried:
+            shown.append(plate)
+            continue
+        # A sign beyond the edge stays there.
+        stays = plate.labels.sign and not covers(plate.place, taken)
+        place = plate.place if stays else place_apart(plate.place, taken, room)
+        if not covers(place, taken):
+            taken.append(place)
+            shown.append(plate._replace(place=place))
+    return tuple(shown)
 
 
 def paint_plates(

@@ -51,18 +51,19 @@ class StillOverlay:
         room: QSize,
         seen: QRectF | None = None,
         lines_only: bool = False,
+        texts: tuple[Labels, ...] = (),
     ) -> None:
         """Paint overlays, the first one lowest.
 
         Args:
             painter: in coordinates of the view.
-            layers, scale, offset, clip, lines_only: as for `paint_overlay`.
+            layers, scale, offset, clip, lines_only, texts: as for `paint_overlay`.
             room: size of the view.
             seen: where in the view the overlay can be seen; texts stay inside. None for all of it.
         """
         ratio = painter.device().devicePixelRatioF()
         times = text_times()
-        asked = layers, scale, offset, room, seen, ratio, times
+        asked = layers, scale, offset, room, seen, ratio, times, texts
         paint_still = partial(
             paint_overlay,
             scale=scale,
@@ -70,6 +71,7 @@ class StillOverlay:
             room=seen,
             lines_only=lines_only,
             text_times=times,
+            texts=texts,
         )
         if asked != self._painted:
             self._painted, self._picture = asked, None
@@ -186,7 +188,7 @@ class OverlayItem(QGraphicsItem):
         if overlay is self.overlay:
             return
         changed = changed_areas(self.overlay, overlay, scale)
-        changed += self._given_way(self.overlay.labels, overlay.labels)
+        changed += self._given_way(overlay, self.ghosts)
         self.overlay, self._layers = overlay, None
         self._update_areas(changed)
 
@@ -206,8 +208,10 @@ class OverlayItem(QGraphicsItem):
         """Show what is expected of elements not annotated yet; ``scale`` as for `set_overlay`."""
         if ghosts is not self.ghosts:
             area = _whole_area(self.ghosts, scale) | _whole_area(ghosts, scale)
+            areas = [area, *self._given_way(self.overlay, ghosts)]
             self.ghosts, self._layers = ghosts, None
-            self.update(area & self._area)
+            for changed in areas:
+                self.update(changed & self._area)
 
     def set_gesture(self, gesture: Overlay, scale: float) -> None:
         """Show what the mouse drags or draws, or nothing; ``scale`` as for `set_overlay`."""
@@ -229,15 +233,21 @@ class OverlayItem(QGraphicsItem):
             return
         view, before = scene.views()[0], self._painted_at
         self._painted_at = _Seen(view.viewportTransform(), self._room(view.viewport().size()))
-        for labels in (self.ghosts.labels, self.overlay.labels):
-            now = self._painted_at.beside_points(labels)
-            was = now if before is None else before.beside_points(labels)
-            for area in self._painted_at.areas_of(was ^ now):
-                self.update(area & self._area)
+        labels = self._texts
+        now = self._painted_at.beside_points(labels)
+        was = now if before is None else before.beside_points(labels)
+        for area in self._painted_at.areas_of(was ^ now):
+            self.update(area & self._area)
 
-    def _given_way(self, before: tuple[Labels, ...], after: tuple[Labels, ...]) -> list[QRectF]:
-        """Return where texts go that stay what they are, and come to, as others came or went."""
-        seen = self._painted_at
+    @property
+    def _texts(self) -> tuple[Labels, ...]:
+        """Return the texts that give way to each other."""
+        return (*self.ghosts.labels, *self.overlay.labels)
+
+    def _given_way(self, overlay: Overlay, ghosts: Overlay) -> list[QRectF]:
+        """Return where texts go that stay what they are, and come to, with another overlay or
+        other ghosts."""
+        seen, before, after = self._painted_at, self._texts, (*ghosts.labels, *overlay.labels)
         if seen is None or before == after:
             return []
         return seen.areas_of(seen.beside_points(before) ^ seen.beside_points(after))
@@ -284,12 +294,14 @@ class OverlayItem(QGraphicsItem):
             if layer is self.ghosts or layer is self.wireframes:
                 still = self._still_ghosts if layer is self.ghosts else self._still
                 still.paint(
-                    painter, (layer,), scale=scale, offset=offset, clip=clip, room=room, seen=seen
-                )
+                    painter, (layer,), scale=scale, offset=offset, clip=clip, room=room, seen=seen,
+                    texts=self._texts,
+                )  # fmt: skip
             else:
                 paint_overlay(
                     painter, layer, scale=scale, offset=offset, clip=clip, room=seen,
                     text_times=text_times(),
+                    texts=() if layer.labels is self.gesture.labels else self._texts,
                 )  # fmt: skip
 
     @property

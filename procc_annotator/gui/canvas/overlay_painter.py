@@ -23,6 +23,7 @@ from procc_annotator.interaction.legend import LegendEntry
 from procc_annotator.interaction.overlay_primitives import (
     Box,
     FilledArea,
+    Labels,
     Overlay,
     PointMarks,
     Strokes,
@@ -46,6 +47,7 @@ def paint_overlay(
     labelled: bool = True,
     lines_only: bool = False,
     text_times: float = 1.0,
+    texts: tuple[Labels, ...] = (),
 ) -> None:
     """Paint an overlay.
 
@@ -60,6 +62,7 @@ def paint_overlay(
         labelled: whether with its texts.
         lines_only: without marks and texts.
         text_times: how large texts are of what they usually are.
+        texts: the texts of all layers, if it is one of several; they do not cover each other.
     """
     area = clip if clip is not None else QRectF(painter.viewport())
     seen = room if room is not None else QRectF(painter.viewport())
@@ -82,7 +85,8 @@ def paint_overlay(
     if labelled and not lines_only and overlay.labels:
         at = scale, view.x, view.y
         room_box = seen.left(), seen.top(), seen.right(), seen.bottom()
-        plates = arranged(overlay.labels, at, room_box, unit=unit, times=text_times)
+        every = arranged(texts or overlay.labels, at, room_box, unit=unit, times=text_times)
+        plates = [plate for plate in every if plate.labels in overlay.labels]
         paint_plates(painter, plates, view.area, unit=unit, times=text_times)
     painter.restore()
 

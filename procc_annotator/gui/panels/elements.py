@@ -55,7 +55,7 @@ class ElementsPanel(Panel):
         self._items: dict[str, QTreeWidgetItem] = {}
         self._groups: dict[str, QTreeWidgetItem] = {}
         self._shown: dict[str, tuple[ElementState, int, bool, tuple[StoredFinding, ...]]] = {}
-        self._narrow = False
+        self._narrow: bool | None = None
         self._room: tuple[object, ...] = ()  # what the widths of the columns follow from
         self._shaded: str | None = None
         self._build()
@@ -84,9 +84,9 @@ class ElementsPanel(Panel):
         self.tree = named(QTreeWidget(columnCount=4), "elements_tree", title=tr("Elements"))
         self.tree.setUniformRowHeights(True)
         self.tree.setRootIsDecorated(False)
-        self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), tr("Pts"), tr("Status")])
+        self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), "", ""])
         self.tree.headerItem().setToolTip(POINTS, tr("Annotated points"))
-        self.tree.setIndentation(8)
+        self.tree.setIndentation(4)
         self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.tree.setMouseTracking(True)
         self.tree.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
@@ -94,7 +94,7 @@ class ElementsPanel(Panel):
         self.tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         header = self.tree.header()
         header.setStretchLastSection(False)
-        header.setMinimumSectionSize(24)
+        header.setMinimumSectionSize(4)  # an empty column leaves its room to the names
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
         for column in (KEY, POINTS, STATUS):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
@@ -106,7 +106,7 @@ class ElementsPanel(Panel):
         self.tree.viewport().installEventFilter(self)
         self._pages = Pages(self.tree, "elements_empty")
         self.nothing = self._pages.empty
-        vbox(self.search, self._pages, of=self, spacing=4, margins=4)
+        vbox(self.search, self._pages, of=self, spacing=4, margins=2)
 
     def _take_field(self) -> None:
         """List the classes of another field, or those of the same with other dimensions."""
@@ -206,15 +206,15 @@ class ElementsPanel(Panel):
             if name == following:
                 state = ElementState.NEXT
             found = findings.get(name, ())
-            shown = (state, counts.get(name, 0), self._narrow, found)
+            shown = (state, counts.get(name, 0), bool(self._narrow), found)
             if self._shown.get(name) != shown:
                 self._shown[name] = shown
                 others.append(item)
-                item.setText(POINTS, str(shown[1] or ""))
+                # Where room is short, the sign of a finding stands for the number of points.
+                item.setText(POINTS, "" if self._narrow and found else str(shown[1] or ""))
                 item.setText(STATUS, "" if self._narrow else words_for(state))
                 item.setToolTip(STATUS, tr(EXPLANATIONS[state]))
                 item.setIcon(STATUS, symbol_icon(state, self))
-                # Signs of findings: a column of their own would take the room of the names.
                 sign = finding_icon(found[0].finding.severity, ratio) if found else QIcon()
                 item.setIcon(POINTS, sign)
                 item.setToolTip(POINTS, reasons_of(found))
@@ -256,7 +256,8 @@ class ElementsPanel(Panel):
         narrow = event.size().width() < NARROW
         if narrow != self._narrow:
             self._narrow = narrow
-            self.tree.headerItem().setText(STATUS, "" if narrow else tr("Status"))
+            for column, title in ((POINTS, tr("Pts")), (STATUS, tr("Status"))):
+                self.tree.headerItem().setText(column, "" if narrow else title)
             self._refresher.request()
         super().resizeEvent(event)
 

@@ -195,7 +195,7 @@ class FindingsPanel(Panel):
             self._make_foot(),
             of=self,
             spacing=4,
-            margins=4,
+            margins=2,
         )
 
     def _make_head(self) -> QHBoxLayout:

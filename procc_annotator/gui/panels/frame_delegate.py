@@ -1,10 +1,10 @@
-"""Painting the rows of the frames panel: frames and folders."""
+"""Painting frames and folders: the rows of the frames panel, the thumbnails of the strip."""
 
 from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, Qt, QTransposeProxyModel
 from PySide6.QtGui import QColor, QFontMetrics, QImage, QPainter, QPen
 from PySide6.QtWidgets import QStyle, QStyledItemDelegate, QStyleOptionViewItem
 
@@ -16,6 +16,8 @@ from procc_annotator.gui.panels.widgets import Index
 from procc_annotator.gui.theme import alarm_colours, blend, bold, paint_row
 from procc_annotator.translation import tr, tr_count
 
+_RIM = 3  # px around a thumbnail of a strip: the colour of what is selected
+_SIGNS = dict(zip(Status, ("", "…", "✓", "✓✓", "✗"), strict=True))
 _STEP, _MOST = 10, 3  # px a folder; deeper ones are not moved farther in
 _SIGN = 14
 _THUMB = QSize(72, 41)
@@ -43,6 +45,29 @@ class FrameDelegate(QStyledItemDelegate):
         painter.restore()
 
 
+class FilmDelegate(QStyledItemDelegate):
+    """Paints rows of a `FramesModel` that lie side by side as thumbnails with their state."""
+
+    @staticmethod
+    def width(height: int) -> int:
+        """Return the width of a frame in a strip, px."""
+        return round((height - 2 * _RIM) * _THUMB.width() / _THUMB.height()) + 2 * _RIM
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        turned = index.model()
+        if not isinstance(turned, QTransposeProxyModel):
+            return
+        model, row = turned.sourceModel(), index.column()
+        assert isinstance(model, FramesModel)
+        painter.save()
+        film = _RowPainter(painter, option)
+        if (folder := model.folder_info(row)) is not None:
+            film.paint_folder(folder)
+        elif (info := model.info(row)) is not None:
+            film.paint_film(info)
+        painter.restore()
+
+
 class _RowPainter:
     """Paints one row, its ground first."""
 
@@ -63,7 +88,7 @@ class _RowPainter:
         self._painter.setFont(bold(self._option.font))
         self._paint_text(upper, info.label, self._text)
         self._painter.setFont(self._option.font)
-        words = next((w for w in folder_words(info) if self._fits(w) <= lower.width()), "")
+        words = next((w for w in folder_words(info) if self._fits(w) < lower.width()), "")
         self._paint_text(lower, words, self._quiet)
 
     def paint_frame(self, info: RowInfo) -> None:
@@ -98,9 +123,25 @@ class _RowPainter:
         if info.count is not None and not info.unreadable:
             choices = row_words(info, bool(marker) or info.verdict is not None)
             shortest = "" if info.verdict is not None else choices[-1]
-            words = next((w for w in choices if self._fits(w) <= lower.width()), shortest)
+            words = next((w for w in choices if self._fits(w) < lower.width()), shortest)
             selected = self._option.state & QStyle.StateFlag.State_Selected
             self._paint_text(lower, words, self._text if selected else self._quiet)
+
+    def paint_film(self, info: RowInfo) -> None:
+        """Paint a thumbnail, and at its corner signs of what is wrong and of the status."""
+        box = self._rect.adjusted(_RIM, _RIM, -_RIM, -_RIM)
+        self._paint_thumbnail(box, info.thumbnail)
+        alarm = "⚠" if info.unreadable or info.camera_problem else "●" if info.dirty else ""
+        comments = f"✎{info.comments}" if info.comments else ""
+        signs = " ".join(filter(None, (alarm, comments, _SIGNS.get(info.status, ""))))
+        bottom = box.bottom() - self._painter.fontMetrics().height() + 1
+        if info.has_errors:
+            sign = QRectF(box.left() + 1, bottom, _SIGN, _SIGN)
+            paint_finding_sign(self._painter, sign, Severity.ERROR)
+        if signs:
+            wide = self._fits(signs) + 6
+            chip = QRectF(box.right() - wide + 1, bottom, wide, box.bottom() - bottom + 1)
+            self._paint_chip(chip, signs, self._base, self._text)
 
     # --- parts --------------------------------------------------------------------------------
 

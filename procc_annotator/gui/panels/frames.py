@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 
 from PySide6.QtCore import QEvent, QModelIndex, QObject, Qt, QTimer
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -214,7 +214,7 @@ class FramesPanel(Panel):
         rows.setDefaultSectionSize(delegate.row_height(self.fontMetrics()))
         self.list.setModel(self.model)
         self.list.selectionModel().currentChanged.connect(self._go)
-        self.list.clicked.connect(self._choose)  # arrows walk on in the list
+        self.list.clicked.connect(lambda index: self.choose(index.row()))  # arrows walk on
         self.list.activated.connect(self._activate)
         self.list.installEventFilter(self)
         self._pages = Pages(self.list, "frames_empty")
@@ -318,9 +318,9 @@ class FramesPanel(Panel):
         self.list.verticalScrollBar().setValue(scrolled)
         self.list.setCurrentIndex(self.model.index(row))
 
-    def _choose(self, index: QModelIndex) -> None:
+    def choose(self, row: int) -> None:
         """A click: a frame is gone to, a folder folded or unfolded."""
-        folder = self.model.folder_at(index.row())
+        folder = self.model.folder_at(row)
         if folder is None:
             self.left.emit()
         else:
@@ -345,6 +345,10 @@ class FramesPanel(Panel):
         else:
             return
         self.list.setFocus(Qt.FocusReason.OtherFocusReason)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.list.scrollTo(self.list.currentIndex())
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.FontChange:

@@ -479,9 +479,9 @@ def box_of(action: QAction, name: str) -> QCheckBox:
 class ElidedLabel(QWidget):
     """A text that is shortened with dots instead of pushing its neighbours out."""
 
-    def __init__(self) -> None:
+    def __init__(self, elide: Qt.TextElideMode = Qt.TextElideMode.ElideRight) -> None:
         super().__init__()
-        self._text = ""
+        self._text, self._elide = "", elide
         self._soon = after_paint(self, self.update)  # what the text is about is painted first
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
@@ -498,13 +498,12 @@ class ElidedLabel(QWidget):
 
     def text_for(self, width: int) -> str:
         """Return what is shown in a width, px."""
-        return self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, width)
-
-    def sizeHint(self) -> QSize:
-        return self.minimumSizeHint()
+        return self.fontMetrics().elidedText(self._text, self._elide, width)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(40, self.fontMetrics().height() + 2)
+
+    sizeHint = minimumSizeHint
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, area = QPainter(self), self.contentsRect()

@@ -227,7 +227,6 @@ class VisibleFieldRegion(QObject):
         self.wanted = True
         self._sight: VisibleField | None = None
         self._sight_of: str | None = None  # its frame
-        self._sure = True
         self._turns = 0
         self._signalled: tuple[object, ...] = ()
         self._found = ComputedValue(self._made_of, _look_at, self, cache_size=_KEPT)
@@ -254,11 +253,6 @@ class VisibleFieldRegion(QObject):
     def turns(self) -> int:
         """Quarter turns of the map, see `FieldSight.turns`."""
         return self._turns if self._allowed else 0
-
-    @property
-    def half(self) -> int:
-        """The half that is in sight alone, see `FieldSight.half`; 0 also by a doubtful camera."""
-        return 0 if self.shown is None or not self._sure else self.shown.half
 
     # --- inside ---
 
@@ -295,10 +289,9 @@ class VisibleFieldRegion(QObject):
     def _take(self, *_: object) -> None:
         if not (self._found.working or self._prediction.working):
             self._sight, self._sight_of = self._found.value, self._store.state.frame_name
-            self._sure = not (self._prediction.stands_in and self._prediction.doubt)
             if self._sight is not None:
                 self._turns = self._sight.turns
-        now = self.shown, self.turns, self.half
+        now = self.shown, self.turns
         if now != self._signalled:
             self._signalled = now
             self.changed.emit()

@@ -241,7 +241,8 @@ class FocusRegions:
     def all(self) -> list[QWidget]:
         """The parts in sight, in the order in which they are gone to."""
         window = self._window
-        bars = [bar for bar in window.findChildren(QToolBar) if bar.isVisible()]
+        parts = (*window.findChildren(QToolBar), window.menuWidget())
+        bars = [bar for bar in parts if bar is not None and bar.isVisible()]
         for bar in bars:
             _reach(bar)
         docks = [d for d in window.findChildren(QDockWidget) if not d.visibleRegion().isEmpty()]
@@ -259,8 +260,8 @@ class FocusRegions:
         return [part for part in parts if _target(part) is not None]
 
 
-def _reach(bar: QToolBar) -> None:
-    """Qt leaves the buttons of a tool bar to the mouse."""
+def _reach(bar: QWidget) -> None:
+    """Qt leaves the buttons of a bar to the mouse."""
     for button in bar.findChildren(QToolButton):
         if button.focusPolicy() == Qt.FocusPolicy.NoFocus and button.defaultAction() is not None:
             button.setFocusPolicy(_BY_TAB)

@@ -10,7 +10,7 @@ from typing import cast
 
 from PySide6.QtCore import QObject, QPointF, Qt
 from PySide6.QtGui import QAction, QActionGroup, QHelpEvent, QKeySequence
-from PySide6.QtWidgets import QMainWindow, QMenu, QToolTip, QWidget
+from PySide6.QtWidgets import QMainWindow, QMenu, QMenuBar, QSizePolicy, QToolTip, QWidget
 
 from procc_annotator.annotation import points_px
 from procc_annotator.dataset.review import StoredFinding
@@ -38,8 +38,11 @@ class Actions:
         self._reasons: dict[str, str] = {}
         self._texts: dict[str, str] = {}
         self._groups: dict[str, QActionGroup] = {}
+        self.bar = QMenuBar(window)
+        preferred = QSizePolicy.Policy.Preferred  # where there is no room menus go behind an arrow
+        self.bar.setSizePolicy(preferred, preferred)
         self.menus: dict[str, QMenu] = {
-            name: window.menuBar().addMenu(said) for name, said in mnemonics(MENUS).items()
+            name: self.bar.addMenu(said) for name, said in mnemonics(MENUS).items()
         }
         for spec in ACTIONS:
             action = self._make(spec, window, canvas)

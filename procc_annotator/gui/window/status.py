@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 import sys
-from collections.abc import Iterable, Sequence
 
 import numpy as np
 from PySide6.QtCore import (
@@ -18,7 +16,7 @@ from PySide6.QtCore import (
     Signal,
     qInstallMessageHandler,
 )
-from PySide6.QtGui import QFontMetrics, QGuiApplication, QResizeEvent
+from PySide6.QtGui import QGuiApplication, QResizeEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QSizePolicy, QStatusBar, QWidget
 
 from procc_annotator import error_log
@@ -31,7 +29,7 @@ from procc_annotator.gui.state.messages import Message
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import UNSAVED
 from procc_annotator.gui.theme import fixed_width
-from procc_annotator.interaction.hints import SEPARATOR
+from procc_annotator.interaction.hints import KEYS, SEPARATOR
 from procc_annotator.translation import tr, word
 
 
@@ -45,10 +43,9 @@ class IsolatedRow(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(0, self._widget.minimumSizeHint().height())
+        return self._widget.minimumSizeHint()
 
-    def sizeHint(self) -> QSize:
-        return self.minimumSizeHint()
+    sizeHint = minimumSizeHint
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self._widget.setGeometry(self.rect())
@@ -57,74 +54,24 @@ class IsolatedRow(QWidget):
 MESSAGE_END = "  ·  "  # what just happened stands before the hint
 _MESSAGE_MS = 5000
 _GROUND = word("ground ±{metres:.2f} m")
-_PAD = 4  # above and below a line
-_KEPT_HINTS = 4  # click, Enter, Esc and Tab
-_LEAST_TITLE = 22  # letters
-_TAG = re.compile("<[^>]*>")
-_SHORT_TITLE = 26  # letters: such a title is never cut before the end of the text is
+_PAD = 1  # above and below a line
 
 
 class HintLabel(ElidedLabel):
-    """A line of message and hint, in which long titles of elements are shortened first."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._long_title: re.Pattern[str] | None = None
-        self._begins_with_title = True
+    """Messages, what the next click does, and what keys do: whole phrases, as many as fit."""
 
     def show_line(self, message: str, hint: str) -> None:
-        """Show what just happened and what the next click does; either may be empty."""
-        self._begins_with_title = not (message and hint)
+        """Show what just happened and what comes next; either may be empty."""
         self.set_text(MESSAGE_END.join(filter(None, (message, hint))))
         self.setToolTip(self.text())
 
-    def set_titles(self, titles: Iterable[str]) -> None:
-        """Names that may stand in the text: where there is no room, long ones lose their middle."""
-        # A title may begin another one: the longer is looked for first.
-        long = sorted((t for t in titles if len(t) > _SHORT_TITLE), key=len, reverse=True)
-        self._long_title = re.compile(f"({'|'.join(map(re.escape, long))})") if long else None
-
     def text_for(self, width: int) -> str:
-        """Return what is shown in a width, px: before how to go on is cut, the title in front
-        is."""
-        metrics = self.fontMetrics()
-        whole = self.text()
-        if metrics.horizontalAdvance(whole) <= width:
-            return whole
-        text = self._with_short_titles(width)
-        head, *hints = text.split(SEPARATOR)
-        if hints and self._begins_with_title and text == whole:
-            kept = [*hints[:_KEPT_HINTS], *["…"][: len(hints) > _KEPT_HINTS]]
-            hinted = metrics.horizontalAdvance(SEPARATOR.join(["", *kept]))
-            least = metrics.averageCharWidth() * _LEAST_TITLE
-            room = max(least, width - hinted)
-            if metrics.horizontalAdvance(head) > room:
-                head = head.partition(", ")[0]  # the name says more than the number of points
-            head = metrics.elidedText(head, Qt.TextElideMode.ElideMiddle, room)
-        text = SEPARATOR.join([head, *hints])
-        return metrics.elidedText(text, Qt.TextElideMode.ElideRight, width)
-
-    def _with_short_titles(self, width: int) -> str:
-        """The text with its long titles cut in the middle, as far as the width asks for it."""
-        if self._long_title is None:
-            return self.text()
-        metrics = self.fontMetrics()
-        parts = self._long_title.split(self.text())  # every second one is a title
-        room = width - sum(metrics.horizontalAdvance(part) for part in parts[::2])
-        most = _most([metrics.horizontalAdvance(title) for title in parts[1::2]], room)
-        most = max(most, metrics.averageCharWidth() * _SHORT_TITLE)
-        middle = Qt.TextElideMode.ElideMiddle
-        parts[1::2] = [metrics.elidedText(title, middle, most) for title in parts[1::2]]
-        return "".join(parts)
-
-
-def _most(widths: Sequence[int], room: int) -> int:
-    """Return how wide the widest may be so that all together take no more than the room, px."""
-    for count, width in zip(range(len(widths), 0, -1), sorted(widths), strict=True):
-        if width * count > room:
-            return room // count
-        room -= width
-    return max(widths, default=0)
+        """Return what is shown in a width, px: keys go before the rest is shortened."""
+        advance, shown = self.fontMetrics().horizontalAdvance, self.text()
+        while advance(shown) > width and KEYS in shown:
+            first, _, keys = shown.rpartition(KEYS)
+            shown = f"{first}{KEYS}{keys.rpartition(SEPARATOR)[0]}".removesuffix(KEYS)
+        return self.fontMetrics().elidedText(shown, Qt.TextElideMode.ElideRight, width)
 
 
 class Readout(QLabel):
@@ -168,11 +115,8 @@ class SteadyLabel(QLabel):
             self._make_room()
 
     def _make_room(self) -> None:
-        text = self.text()
-        metrics, margins = QFontMetrics(fixed_width(self.font(), bold=True)), self.contentsMargins()
-        if (words := _TAG.sub("", text)) == text:
-            metrics = self.fontMetrics()
-        wide = max(map(metrics.horizontalAdvance, (words, self._least)))
+        metrics, margins = self.fontMetrics(), self.contentsMargins()
+        wide = max(map(metrics.horizontalAdvance, (self.text(), self._least)))
         # Where it is the same Qt does nothing.
         across, down = margins.left() + margins.right(), margins.top() + margins.bottom()
         self.setFixedSize(wide + across + 2, metrics.height() + down + 2)
@@ -211,7 +155,7 @@ class StatusLine(QStatusBar):
         self.work = make_label(name="backgroundWork")
         line = QWidget()
         parts = (self.work, self.apart, self.good_to, self.pixels, self.metres)
-        line.setLayout(hbox((self.hint, 1), *parts, margins=(2 * _PAD, _PAD, _PAD, _PAD)))
+        line.setLayout(hbox((self.hint, 1), *parts, margins=(8, _PAD, 4, _PAD)))
         self.addWidget(IsolatedRow(line), 1)
         self._hint = self._message = ""
         self._message_timer = QTimer(self, singleShot=True)
@@ -223,7 +167,6 @@ class StatusLine(QStatusBar):
         canvas.cursorMoved.connect(self.show_cursor)
         canvas.hintChanged.connect(self.set_hint)
         watch = services.store.watch
-        watch(lambda s: s.field, self._show_titles)
         watch(
             lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
             self._refresh_cursor,
@@ -232,7 +175,6 @@ class StatusLine(QStatusBar):
             computed.changed.connect(self._refresh_cursor)
         services.scoring.progressed.connect(self.show_scoring)
         self.set_hint(canvas.hint)
-        self._show_titles()
 
     def set_hint(self, text: str) -> None:
         """Set what the next click, Enter and Esc do; shown after the message."""
@@ -266,10 +208,6 @@ class StatusLine(QStatusBar):
 
     def _show_hint(self) -> None:
         self.hint.show_line("", self._hint)
-
-    def _show_titles(self) -> None:
-        """Pass on the titles of elements, which hints and messages contain."""
-        self.hint.set_titles(tr(e.title) for e in self._services.state.field.elements)
 
     def show_scoring(self, done: int, total: int) -> None:
         """Show the progress of scoring the set; nothing when it is complete."""

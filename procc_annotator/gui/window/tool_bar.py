@@ -131,7 +131,7 @@ class IconButton(QToolButton):
     def _size(self) -> QSize:
         side = self._icon_side() + 2 * _PAD
         if not self._with_key:
-            return QSize(side, side)
+            return QSize(side, side - _PAD)
         metrics = QFontMetrics(self._key_font())
         usual = metrics.horizontalAdvance(_USUAL_KEY) + 6
         width = max(side, usual, metrics.horizontalAdvance(self._key) + 2)
@@ -207,21 +207,16 @@ _BETWEEN, _REST = 2, 50  # px: between two buttons; lines between groups, and th
 _HELD = {"pan": "Space"}  # not shown
 
 
-def fix_bar(bar: QToolBar, name: str) -> None:
-    """Keep a tool bar where it is, and in sight."""
-    bar.setObjectName(name)
-    bar.setMovable(False)
-    bar.setFloatable(False)
-    bar.toggleViewAction().setEnabled(False)
-    bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
-
-
 class SideToolBar(QToolBar):
     """Buttons of the table of actions, one below the other, and of how the picture looks."""
 
     def __init__(self, actions: Actions) -> None:
         super().__init__(tr("Rail"))
-        fix_bar(self, "rail")
+        self.setObjectName("rail")
+        self.setMovable(False)
+        self.setFloatable(False)
+        self.toggleViewAction().setEnabled(False)  # it stays in sight
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
         self.setOrientation(Qt.Orientation.Vertical)
         self.buttons: dict[str, IconButton] = {}
         for row in _BUTTONS:

@@ -1,11 +1,17 @@
-"""The bar above the picture: frame, dataset and sport, the judged camera, what is saved, search."""
+"""The row on top: frame, dataset and sport, JaC, what is saved, search; the judged camera."""
 
 from __future__ import annotations
 
-from html import escape
-
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt
-from PySide6.QtGui import QAction, QColor, QKeySequence, QPainter, QPaintEvent, QPalette
+from PySide6.QtGui import (
+    QAction,
+    QColor,
+    QKeySequence,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QResizeEvent,
+)
 from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
@@ -15,7 +21,6 @@ from PySide6.QtWidgets import (
     QStyle,
     QStyleOptionToolButton,
     QStylePainter,
-    QToolBar,
     QToolButton,
     QWidget,
 )
@@ -27,10 +32,10 @@ from procc_annotator.gui.state.selectors import judged
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import MAX_TAU, MIN_TAU
 from procc_annotator.gui.state.store import When
-from procc_annotator.gui.theme import alarm_colours, fixed_width, paint_icon
+from procc_annotator.gui.theme import alarm_colours, bold, fixed_width, paint_icon
 from procc_annotator.gui.window.menus import Actions
-from procc_annotator.gui.window.status import IsolatedRow, SteadyLabel
-from procc_annotator.gui.window.tool_bar import IconButton, fix_bar
+from procc_annotator.gui.window.status import SteadyLabel
+from procc_annotator.gui.window.tool_bar import IconButton
 from procc_annotator.translation import tr, tr_count, word
 
 
@@ -66,36 +71,45 @@ class TauControl(QWidget):
 
 
 _NO_CAMERA = word("none judged")
-_WIDEST_CAMERA = 14  # average letters
+_WIDEST_CAMERA, _WIDEST_JAC = 14, 22  # average letters
 _JAC_TIP = word("Jaccard index of this frame at tau")
 
 
 class CameraBar(QWidget):
-    """Is there only where a camera is loaded or judged."""
+    """The row above the picture while one judges, once a camera is loaded or judged.
+
+    Attributes:
+        jac: the JaC, or why there is none; it stands in the row on top, in every workspace.
+    """
 
     def __init__(self, services: Services) -> None:
         super().__init__()
         self.setObjectName("cameraBar")
         self._services = services
         self._listed: list[str] = []
+        self._judging = False
         self.tau = TauControl(services)
         tip = tr("The camera set that is judged (C switches)")
         self.cameras = named(QComboBox(), "cameraCombo", tip=tip)
         self.cameras.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.cameras.activated.connect(lambda i: services.camera_sources.set_active_camera(i - 1))
-        self.jac = named(SteadyLabel(), "judgedJac", tip=tr(_JAC_TIP))
-        self.jac.setTextFormat(Qt.TextFormat.RichText)
-        self.jac.setFont(fixed_width(self.jac.font()))
-        self.jac.setContentsMargins(6, 0, 2, 0)
+        self.jac = named(ElidedLabel(), "judgedJac", tip=tr(_JAC_TIP))
+        self.jac.setFont(bold(self.jac.font()))
+        self.jac.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.terms = named(ElidedLabel(), "judgedTerms")
         # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
         self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        parts = (self.tau, self.cameras, self.jac, (self.terms, 1))
-        self.setLayout(hbox(*parts, spacing=4, margins=0))
+        parts = (self.tau, self.cameras, (self.terms, 1))
+        self.setLayout(hbox(*parts, spacing=4, margins=(2, 1, 4, 1)))
         store = services.store
         store.watch(lambda s: (s.looks, s.active), self._show_cameras)
         store.watch(judged, self._show_score, When.AFTER_PAINT)
         store.watch(lambda s: s.projection_visible, self._show_score)  # hidden at once
+        self._show_cameras()
+
+    def show_in(self, workspace: str) -> None:
+        """Show the row in the workspace that judges only."""
+        self._judging = workspace == "judge"
         self._show_cameras()
 
     def _show_cameras(self) -> None:
@@ -109,7 +123,9 @@ class CameraBar(QWidget):
         self.cameras.setCurrentIndex(cameras.index(active))
         self.cameras.setEnabled(bool(looks))
         loaded = any(s is not services.fit_source.source for s in services.state.sources)
-        self.setVisible(loaded or services.state.active is not None)
+        there = loaded or services.state.active is not None
+        self.jac.setVisible(there)
+        self.setVisible(there and self._judging)
         self._show_score()
 
     def _fill_cameras(self, names: list[str]) -> None:
@@ -126,18 +142,21 @@ class CameraBar(QWidget):
         services = self._services
         score = services.scorer.score
         if score is not None and (why := services.state.why_not_judged):
-            self.jac.setText(tr("<b>JaC –</b> {why}", why=escape(why)))
+            said = tr("JaC – {why}", why=why)
         elif score is not None:
             own = services.state.active is services.fit_source.source
-            said = tr("<b>JaC {jac:.3f}</b> of the fit") if own else "<b>JaC {jac:.3f}</b>"
-            self.jac.setText(said.format(jac=score.jac))
+            said = tr("JaC {jac:.3f} of the fit") if own else "JaC {jac:.3f}"
+            said = said.format(jac=score.jac)
         elif services.state.active_cameras is None:
-            self.jac.setText("")
+            said = ""
         elif not services.state.projection_visible:
-            self.jac.setText(tr("<b>blind</b>: commit to see JaC"))
+            said = tr("blind: commit to see JaC")
         else:
-            words = tr("camera unreadable") if services.scorer.shown.error else tr("no camera here")
-            self.jac.setText(f"<b>{words}</b>")
+            said = tr("camera unreadable") if services.scorer.shown.error else tr("no camera here")
+        self.jac.set_text(said)
+        metrics = self.jac.fontMetrics()
+        widest = metrics.averageCharWidth() * _WIDEST_JAC
+        self.jac.setFixedWidth(min(widest, metrics.horizontalAdvance(f"{said}  ")))
         hidden = not services.state.projection_visible
         error = "" if hidden else services.scorer.shown.error
         self.jac.setToolTip(error or tr(_JAC_TIP))
@@ -198,8 +217,8 @@ class SaveState(SteadyLabel):
 
 
 _PAD = 5
+_ROOMY = 60  # lines of text
 _WIDEST_CHIP = 30  # average letters
-_FEWEST = 6  # letters that say more than the icon alone
 
 
 class WordsButton(QToolButton):
@@ -264,7 +283,6 @@ class WordsButton(QToolButton):
             room.setRight(room.right() - key)
         painter.setPen(ink)
         shown = metrics.elidedText(self._words, self._elide, max(0, room.width()))
-        shown = "" if len(shown) < _FEWEST < len(self._words) else shown
         painter.drawText(room, middle | Qt.AlignmentFlag.AlignLeft, shown)
         if self._arrow():
             place = self.rect().adjusted(self.width() - _PAD - self._arrow(), 0, -_PAD, 0)
@@ -278,22 +296,21 @@ class WordsButton(QToolButton):
         return self.fontMetrics().height() + 3 * _PAD + self._arrow()
 
 
-class TopBar(QToolBar):
-    """Assembled from the table of actions and the state."""
+class TopBar(QWidget):
+    """Assembled from the table of actions and the state; between the menus and the workspaces."""
 
     def __init__(self, services: Services, actions: Actions, fields: QMenu) -> None:
         """Show nothing yet; ``fields`` is the menu in which a dataset's field is chosen."""
-        super().__init__(tr("Top bar"))
-        fix_bar(self, "topBar")
+        super().__init__()
+        self.setObjectName("topBar")
         self._services = services
         self._make_labels()
-        self.chip = named(WordsButton("field", Qt.TextElideMode.ElideMiddle, 18), "fieldChip")
+        self.chip = named(WordsButton("field", Qt.TextElideMode.ElideRight, 10), "fieldChip")
         self.chip.setMenu(fields)
         self.chip.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.camera_bar = CameraBar(services)
         self.saved = SaveState(services)
         self.search = self._make_search(actions["palette"])
-        line = QWidget()
         parts = (
             _button("previous", actions["previous_frame"]),
             self.position,
@@ -301,13 +318,12 @@ class TopBar(QToolBar):
             self.status,
             _button("done", actions["commit"]),
             self.chip,
-            (self.camera_bar, 1),
-            (None, 0),  # where it is hidden
+            (self.frame, 1),
+            self.camera_bar.jac,
             self.saved,
             self.search,
         )
-        line.setLayout(hbox(*parts, spacing=4, margins=(2, 2, 4, 2)))
-        self.addWidget(IsolatedRow(line))
+        self.setLayout(hbox(*parts, spacing=3, margins=0))
         store = services.store
         store.watch(lambda s: (s.workspace, s.frame_index), self._show_frame)
         store.watch(lambda s: (s.workspace, s.field), self._show_dataset)
@@ -318,6 +334,9 @@ class TopBar(QToolBar):
     def _make_labels(self) -> None:
         self.position = named(SteadyLabel(), "framePosition")
         self.position.setFont(fixed_width(self.position.font()))
+        self.frame = named(ElidedLabel(Qt.TextElideMode.ElideLeft), "frameName")
+        self.frame.setContentsMargins(4, 0, 0, 0)
+        self.frame.setMinimumWidth(1)  # the title of the window has it, too
         # Nothing next to it moves when it changes.
         words, advance = (tr(s.value) for s in Status), self.fontMetrics().horizontalAdvance
         tip = tr("Status of this frame (panel Review)")
@@ -337,6 +356,13 @@ class TopBar(QToolBar):
         show()
         return search
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show the words of the search where names have room, too."""
+        super().resizeEvent(event)
+        roomy = self.width() > _ROOMY * self.fontMetrics().height()
+        hint = self.search.sizeHint() if roomy else self.search.minimumSizeHint()
+        self.search.setFixedWidth(hint.width())
+
     def _show_status(self, _frame: str = "") -> None:
         shown = self._services.state.frame
         self.status.setText(tr(self._services.review.status(shown.name).value) if shown else "")
@@ -348,7 +374,9 @@ class TopBar(QToolBar):
             f" {self._services.state.frame_index + 1} / {count} " if count else " – "
         )
         frame = self._services.state.frame
-        self.position.setToolTip(str(frame.image_path) if frame is not None else "")
+        self.frame.set_text(frame.name if frame is not None else "")
+        for label in (self.position, self.frame):
+            label.setToolTip(str(frame.image_path) if frame is not None else "")
         self._show_status()
 
     def _show_dataset(self) -> None:

@@ -1,19 +1,18 @@
-"""Workspaces: docks of panels, the tab bar that switches them, the drawer of plots."""
+"""Workspaces: docks of panels, and the buttons that switch them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import asdict, dataclass, replace
 from functools import partial
 from itertools import pairwise
 
 import msgspec
-from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QAction
+from PySide6.QtCore import QByteArray, QObject, Qt, Signal
 from PySide6.QtWidgets import (
     QDockWidget,
     QMainWindow,
-    QSizePolicy,
+    QStyle,
     QTabBar,
     QToolButton,
     QWidget,
@@ -26,11 +25,12 @@ from procc_annotator.translation import tr, word
 
 _LEFT = Qt.DockWidgetArea.LeftDockWidgetArea
 _RIGHT = Qt.DockWidgetArea.RightDockWidgetArea
-_BOTTOM = Qt.DockWidgetArea.BottomDockWidgetArea
-_VERSION = 7  # of the arrangement; what another version saved is not restored
-_FRAMES_WIDTH, _INSPECTOR_WIDTH = 17, 23  # lines of text: 240 and 320 px at the usual font
-_MOST_OF_WINDOW = 0.48  # what both may take of its width
-_NARROWEST_FRAMES, _NARROWEST_PANEL = 190, 230  # below that texts are cut off
+_VERSION = 8  # of the arrangement; what another version saved is not restored
+_FRAMES_WIDTH = 17  # lines of text: 255 px at the usual font
+_WIDTHS = {"annotate": 16, "judge": 26, "review": 20}  # of the right column, lines of text
+_LEAST_OF_WINDOW, _MOST_OF_WINDOW = 0.19, 0.4  # of its width, for a column
+_MAP_SHAPE = 0.66  # height of a soccer field with its surroundings, of its width
+_NARROWEST = 200  # px; below that texts are cut off
 
 TITLES = {
     "frames": word("Frames"),
@@ -45,15 +45,13 @@ TITLES = {
     "review": word("Review"),
     "agreement": word("Agreement"),
 }
-_ALONE = ("frames", "field_map")  # the others share a column as tabs, workspace by workspace
 WORKSPACES: Mapping[str, tuple[str, ...]] = {
     "annotate": ("elements", "findings", "landmarks"),
     "judge": ("scores", "cameras", "fit", "plots"),
     "review": ("review", "agreement"),
 }
-_PLOTS = "plots"  # in a drawer below the picture, which is shut at first
+_LISTED = "review"  # the workspace that begins with the list of frames instead of the strip
 _LATER = "agreement"  # shown once there is a second annotator
-_DRAWER_HEIGHT = 0.38  # of the window's height
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,15 +61,15 @@ class _Look:
     Attributes:
         open: its docks that are not closed.
         front: the one in front of its tabs.
+        frames: whether the list of frames is shown instead of the strip.
         width, map_height: of the column and of the field map above it, px; 0 where it is not shown.
-        drawer_height: of what is below the picture, px; 0 where it was not seen yet.
     """
 
     open: tuple[str, ...]
     front: str
+    frames: bool = False
     width: int = 0
     map_height: int = 0
-    drawer_height: int = 0
 
 
 def _catch_up(panel: QWidget, in_sight: bool) -> None:
@@ -110,8 +108,7 @@ class Workspaces(QObject):
             dock = QDockWidget(tr(title), window)
             dock.setObjectName(f"dock_{name}")
             dock.setWidget(panels[name])
-            narrowest = _NARROWEST_FRAMES if name == "frames" else _NARROWEST_PANEL
-            panels[name].setMinimumWidth(narrowest)
+            panels[name].setMinimumWidth(_NARROWEST)
             dock.visibilityChanged.connect(partial(_catch_up, panels[name]))
             self.by_name[name] = dock
         self.workspace = next(iter(WORKSPACES))
@@ -123,42 +120,23 @@ class Workspaces(QObject):
         """The layout the window starts with."""
         window, docks = self._window, self.by_name
         window.setDockNestingEnabled(True)
-        # The drawer is as wide as the picture, and leaves the columns next to it their height.
-        window.setCorner(Qt.Corner.BottomLeftCorner, _LEFT)
-        window.setCorner(Qt.Corner.BottomRightCorner, _RIGHT)
         for name, dock in docks.items():
             dock.setFloating(False)
             dock.hide()  # one above the other they would need more height than the window has
-            window.addDockWidget(_area_of(name), dock)
+            window.addDockWidget(_LEFT if name == "frames" else _RIGHT, dock)
         window.splitDockWidget(docks["field_map"], docks["elements"], Qt.Orientation.Vertical)
-        in_tabs = [n for names in WORKSPACES.values() for n in names if n != _PLOTS]
-        for before, after in pairwise(in_tabs):
+        for before, after in pairwise(n for names in WORKSPACES.values() for n in names):
             window.tabifyDockWidget(docks[before], docks[after])
         self._looks = {workspace: _first_look(workspace) for workspace in WORKSPACES}
         self.workspace = next(iter(WORKSPACES))
-        for name in _ALONE:
-            docks[name].show()
+        docks["field_map"].show()
         self._show_workspace()
-        self._take_first_sizes()
 
     def settle(self) -> None:
         """The window has its size: the docks take theirs, unless they came back with them."""
         if self._sized_late:
             self._sized_late = False
-            self._take_first_sizes()
-
-    def _take_first_sizes(self) -> None:
-        window, docks = self._window, self.by_name
-        most = _MOST_OF_WINDOW * window.width() / (_FRAMES_WIDTH + _INSPECTOR_WIDTH)
-        line = min(float(window.fontMetrics().height()), most)
-        window.resizeDocks(
-            [docks["frames"], docks["field_map"]],
-            [round(_FRAMES_WIDTH * line), round(_INSPECTOR_WIDTH * line)],
-            Qt.Orientation.Horizontal,
-        )
-        window.resizeDocks(
-            [docks["field_map"], docks["elements"]], [260, 400], Qt.Orientation.Vertical
-        )
+            self._resize(self._looks[self.workspace])
 
     def reset_layout(self) -> None:
         """Forget the arrangement of panels."""
@@ -185,41 +163,46 @@ class Workspaces(QObject):
             for name in names:
                 if not docks[name].isFloating():
                     docks[name].setVisible(workspace == self.workspace and name in look.open)
+        if not docks["frames"].isFloating():
+            docks["frames"].setVisible(look.frames)
         if look.front in look.open:
             docks[look.front].raise_()
-            if look.width:
-                self._resize(look)
-        self._resize_drawer(look.drawer_height)
+        self._resize(look)
         self.show_whole_tabs()
         self.turned.emit(self.workspace)
 
     def _resize(self, look: _Look) -> None:
-        above, below = self.by_name["field_map"], self.by_name[look.front]
-        self._window.resizeDocks([below], [look.width], Qt.Orientation.Horizontal)
-        if look.map_height:
-            self._window.resizeDocks([above], [look.map_height], Qt.Orientation.Vertical)
+        """Give the columns the sizes they were left with, or those they have at first."""
+        window, line = self._window, self._window.fontMetrics().height()
+        frames, above, below = (self.by_name[n] for n in ("frames", "field_map", look.front))
+        most = round(_MOST_OF_WINDOW * window.width())
+        asked = _WIDTHS[self.workspace] * line, self._width_of_tabs(look.open)
+        width = look.width or min(most, max(*asked, round(_LEAST_OF_WINDOW * window.width())))
+        window.resizeDocks([above, below], [width, width], Qt.Orientation.Horizontal)
+        if not look.width:
+            window.resizeDocks(
+                [frames], [min(most, _FRAMES_WIDTH * line)], Qt.Orientation.Horizontal
+            )
+        highest = window.height() // 3
+        height = look.map_height or min(highest, round(width * _MAP_SHAPE) + 3 * line)
+        rest = max(1, window.height() - height)
+        window.resizeDocks([above, below], [height, rest], Qt.Orientation.Vertical)
 
-    def _resize_drawer(self, height: int = 0) -> None:
-        """Have the drawer so high, px; 0: as it is at first."""
-        drawer = self.by_name[_PLOTS]
-        if not drawer.isHidden():
-            height = height or round(_DRAWER_HEIGHT * self._window.height())
-            self._window.resizeDocks([drawer], [height], Qt.Orientation.Vertical)
+    def _width_of_tabs(self, names: Collection[str]) -> int:
+        around = self._window.style().pixelMetric(QStyle.PixelMetric.PM_TabBarTabHSpace)
+        advance = self._window.fontMetrics().horizontalAdvance
+        return sum(advance(self.by_name[name].windowTitle()) + around + 1 for name in names)
 
     def _look(self) -> _Look:
         docks = self.by_name
         names = WORKSPACES[self.workspace]
         opened = tuple(name for name in names if not docks[name].isHidden())
-        in_tabs = [n for n in opened if n != _PLOTS]
-        shown = [n for n in in_tabs if not docks[n].visibleRegion().isEmpty()]
-        front = shown[0] if shown else (in_tabs or names)[0]
+        shown = [n for n in opened if not docks[n].visibleRegion().isEmpty()]
+        front = (shown or opened or names)[0]
         field_map = docks["field_map"]
         height = 0 if field_map.isHidden() or field_map.isFloating() else field_map.height()
         width = docks[front].width() if opened and not docks[front].isFloating() else 0
-        drawer = self._looks[self.workspace].drawer_height
-        if _PLOTS in opened:
-            drawer = docks[_PLOTS].height()
-        return _Look(opened, front, width, height, drawer)
+        return _Look(opened, front, not docks["frames"].isHidden(), width, height)
 
     def show(self, name: str) -> None:
         """Open a dock in its workspace and bring it to the front of its tabs."""
@@ -229,11 +212,8 @@ class Workspaces(QObject):
         workspace = next(found, self.workspace)
         if not dock.isFloating():
             self._turn_to(workspace)
-        opens = dock.isHidden() and name == _PLOTS
         dock.show()
         dock.raise_()
-        if opens:
-            self._resize_drawer(self._looks[workspace].drawer_height)
         self.show_whole_tabs()
 
     def show_unless_hidden(self, name: str) -> None:
@@ -246,15 +226,14 @@ class Workspaces(QObject):
         self.show(name)
         self._entrances[name]()
 
-    def toggle_plots(self) -> None:
-        """Open the plots below the picture, or close them; a torn off panel comes to the front."""
-        dock = self.by_name[_PLOTS]
-        if dock.isHidden() or dock.isFloating():
-            self.show(_PLOTS)
-            return
-        self._looks[self.workspace] = self._look()  # as high it opens again
-        dock.hide()
-        self._canvas.setFocus()
+    def toggle(self, name: str) -> None:
+        """Bring a panel into sight, a torn off one to the front; close one that is in sight."""
+        dock = self.by_name[name]
+        if dock.visibleRegion().isEmpty() or dock.isFloating():
+            self.show(name)
+        else:
+            self._canvas.setFocus()
+            dock.hide()
 
     def show_whole_tabs(self) -> None:
         """Whole words of some panels, with arrows to the rest, rather than "Ca..." of all."""
@@ -268,9 +247,9 @@ class Workspaces(QObject):
         self._set_hidden(hidden)
         if hidden:
             self._open = self.state()
+            self._canvas.setFocus()  # first: Qt would pass the focus from dock to dock
             for dock in self.by_name.values():
                 dock.hide()
-            self._canvas.setFocus()
         else:
             self.restore(self._open)
 
@@ -309,13 +288,7 @@ class Workspaces(QObject):
 
 def _first_look(workspace: str) -> _Look:
     names = WORKSPACES[workspace]
-    return _Look(tuple(name for name in names if name not in (_LATER, _PLOTS)), names[0])
-
-
-def _area_of(name: str) -> Qt.DockWidgetArea:
-    if name == _PLOTS:
-        return _BOTTOM
-    return _LEFT if name == "frames" else _RIGHT
+    return _Look(tuple(n for n in names if n != _LATER), names[0], workspace == _LISTED)
 
 
 def _look_of(workspace: str, kept: object) -> _Look | None:
@@ -335,16 +308,15 @@ _TITLES = {
     "judge": word("Judge", "desk"),
     "review": word("Review", "desk"),
 }
-_ROOM = 6  # px around the words, as menus have
 
 
 class WorkspaceSwitch(QWidget):
     """Buttons of the actions that turn to a workspace."""
 
-    def __init__(self, window: QMainWindow, actions: Actions) -> None:
-        super().__init__(window)
+    def __init__(self, actions: Actions) -> None:
+        super().__init__()
         self.setObjectName("deskSwitch")
-        row = hbox(spacing=2, margins=(0, 0, 4, 0))
+        row = hbox(spacing=2, margins=0)
         for workspace in WORKSPACES:
             action = actions[f"desk_{workspace}"]
             action.setIconText(tr(_TITLES[workspace], "desk"))
@@ -353,50 +325,3 @@ class WorkspaceSwitch(QWidget):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
             row.addWidget(button)
         self.setLayout(row)
-        self._lower_buttons()
-        if window.menuBar().isNativeMenuBar():  # on macOS it has no corner
-            bar = window.addToolBar(tr("Desks"))
-            bar.setObjectName("desks")
-            bar.addWidget(self)
-        else:
-            window.menuBar().setCornerWidget(self)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._lower_buttons()
-
-    def _lower_buttons(self) -> None:
-        for button in self.findChildren(QToolButton):
-            button.setMaximumHeight(self.fontMetrics().height() + _ROOM)
-
-
-class PlotsHandle(QToolButton):
-    """A strip across the foot of the picture while one judges; pulled, the drawer opens or shuts.
-
-    What is torn off is no drawer any more: the handle brings it to the front.
-    """
-
-    def __init__(self, workspaces: Workspaces, action: QAction) -> None:
-        """Show the keys of an action that does the same."""
-        super().__init__()
-        self.setObjectName("drawerHandle")
-        self._workspaces, self._action = workspaces, action
-        self._dock = workspaces.by_name[_PLOTS]
-        self.setAutoRaise(True)
-        self.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.clicked.connect(action.trigger)
-        for changed in (self._dock.visibilityChanged, workspaces.turned, action.changed):
-            changed.connect(self._show_state)
-        self._show_state()
-
-    def _show_state(self) -> None:
-        self.setVisible(_PLOTS in WORKSPACES[self._workspaces.workspace])
-        title, keys = tr("Plots"), self._action.shortcut().toString()
-        self.setText(f"{title}  {keys}" if keys else title)
-        shut = self._dock.isHidden() or self._dock.isFloating()
-        self.setArrowType(Qt.ArrowType.UpArrow if shut else Qt.ArrowType.DownArrow)
-        words = tr("Open the plots below the picture") if shut else tr("Shut the plots")
-        self.setToolTip(words)
-        self.setAccessibleName(words)

@@ -41,7 +41,6 @@ from procc_annotator.gui.panels.field_map.painting import (
     paint_metres,
     paint_spot,
     paint_top_view,
-    part_to_show,
 )
 from procc_annotator.gui.panels.finding_rows import findings_by_element, reasons_of
 from procc_annotator.gui.panels.widgets import Panel
@@ -252,12 +251,10 @@ class FieldMapPanel(Panel):
 
     def _placement(self) -> Placement:
         """Return where the field is in the widget; worked out again only when that changes."""
-        room, view, sight = self._room(), self._view, self._services.visible_region
-        needed = {*self._states, self._services.state.selected_class}
-        part = part_to_show(self._shape, sight, needed, room)
-        key = self._shape, room.getRect(), view.zoom, view.shift.toTuple(), sight.turns, part
+        room, view, turns = self._room(), self._view, self._services.visible_region.turns
+        key = self._shape, room.getRect(), view.zoom, view.shift.toTuple(), turns
         if self._drawn is None or self._drawn[0] != key:
-            self._drawn = key, Placement.of(self._shape, room, view, sight.turns, part)
+            self._drawn = key, Placement.of(self._shape, room, view, turns)
         return self._drawn[1]
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -356,7 +353,7 @@ class FieldMapPanel(Panel):
         name = state.hovered_class or state.selected_class
         if name is None:
             painter.setPen(muted(self.palette()))
-        words = self._heading(name) if name else tr("Click an element to choose its class")
+        words = self._heading(name) if name else tr("Click an element")
         self._paint_line(painter, words, bottom)
 
     def _paint_line(self, painter: QPainter, text: str, top: int) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -13,7 +13,7 @@ from procc_annotator.arrays import FloatArray
 from procc_annotator.gui.canvas.map_painting import paint_shapes
 from procc_annotator.gui.panels.element_states import ElementState, paint_symbol, state_colour
 from procc_annotator.gui.panels.field_map.field_shape import Bounds, FieldShape
-from procc_annotator.gui.state.maps import MapShapes, TopViewImage, VisibleFieldRegion
+from procc_annotator.gui.state.maps import MapShapes, TopViewImage
 from procc_annotator.gui.theme import blend, muted
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import VisibleField
@@ -42,26 +42,18 @@ class Placement:
     ground: QRectF
 
     @classmethod
-    def of(
-        cls,
-        shape: FieldShape,
-        room: QRectF,
-        view: MapView,
-        turns: int = 0,
-        part: Bounds | None = None,
-    ) -> Placement:
+    def of(cls, shape: FieldShape, room: QRectF, view: MapView, turns: int = 0) -> Placement:
         """Lay a field into a part of a widget.
 
         Args:
             room: the part, which it fits into at zoom 1.
             view: so many times as large, and moved by hand.
             turns: so many quarter turns clockwise.
-            part: the part of the map to lay into the room, metres of the map; None: all of it.
         """
-        part = part or shape.bounds
-        scale = view.zoom * scale_to_fit(part, room, turns)
-        middle = _turned(part, turns).center() * scale
-        origin = room.topLeft() + QPointF(*_size(room)) / 2 - middle + view.shift
+        whole = QTransform().rotate(90.0 * turns).mapRect(_rect(shape.bounds))
+        width, height = max(1.0, room.width()), max(1.0, room.height())
+        scale = view.zoom * min(width / whole.width(), height / whole.height())
+        origin = room.topLeft() + QPointF(width, height) / 2 - whole.center() * scale + view.shift
         moved = QTransform(scale, 0, 0, scale, origin.x(), origin.y())
         transform = QTransform().rotate(90.0 * turns) * moved
 
@@ -82,23 +74,9 @@ class Placement:
         return at.x(), at.y()
 
 
-def scale_to_fit(part: Bounds, room: QRectF, turns: int) -> float:
-    """Points of the widget per metre, so that a part of the map fits into a room."""
-    extent, (width, height) = _turned(part, turns), _size(room)
-    return min(width / extent.width(), height / extent.height())
-
-
-def _turned(part: Bounds, turns: int) -> QRectF:
-    return QTransform().rotate(90.0 * turns).mapRect(_rect(part))
-
-
 def _rect(part: Bounds) -> QRectF:
     left, top, right, bottom = part
     return QRectF(left, top, right - left, bottom - top)
-
-
-def _size(room: QRectF) -> tuple[float, float]:
-    return max(1.0, room.width()), max(1.0, room.height())
 
 
 class MapView:
@@ -167,34 +145,12 @@ def nearest(start: QPointF, anchors: Mapping[str, QPointF], way: QPointF) -> str
 
 _INTERSECT = Qt.ClipOperation.IntersectClip
 _RIM = 4.0  # widget points of grass around the lines
-_ACROSS = 0.08  # of the map's length that is shown of the half that is out of sight
-_WORTH_IT = 1.2  # so many times as large
 _FAINT = 0.35  # of the ground's tone, where it is out of sight
 
 
 def ground_colour(palette: QPalette, share: float = 1.0) -> QColor:
     """The field's surface, on either theme; fainter by a share."""
     return blend(palette.color(QPalette.ColorRole.Base), QColor("#3f9b4f"), 0.14 * share)
-
-
-def part_to_show(
-    shape: FieldShape, sight: VisibleFieldRegion, needed: Collection[str | None], room: QRectF
-) -> Bounds | None:
-    """The part of the map to lay out in the room that it has of the widget; None: all of it.
-
-    The half that is out of sight leaves its room to the other one, unless that would not be drawn
-    much larger, or elements are needed there that must be seen, wherever they are.
-    """
-    if sight.half == 0:
-        return None
-    left, top, right, bottom = shape.bounds
-    across = _ACROSS * (right - left)
-    for name, line in zip(shape.names, shape.lines, strict=True):
-        if name in needed and (sight.half * line[:, 0]).max() < -across:
-            return None
-    part = (-across, top, right, bottom) if sight.half > 0 else (left, top, across, bottom)
-    gain = scale_to_fit(part, room, sight.turns) / scale_to_fit(shape.bounds, room, sight.turns)
-    return part if gain > _WORTH_IT else None
 
 
 def paint_ground(

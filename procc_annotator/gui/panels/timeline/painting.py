@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
+    QFont,
     QFontMetrics,
     QImage,
     QPainter,
@@ -23,7 +24,8 @@ from procc_annotator.gui.panels.timeline.content import Axis, Band, StripContent
 from procc_annotator.gui.theme import muted
 from procc_annotator.interaction import palette as tones
 
-_TOP, _MARKS, _BAND, _STATUS, _GAP = 2, 9, 16, 6, 3  # px
+_TOP, _MARKS, _BAND, _STATUS, _GAP = 1, 8, 10, 4, 2  # px
+_NUMBERS = 0.75  # height of the digits, of a line of text
 _ANCHOR = 4.0  # half of a diamond
 _LEAST_BETWEEN = 7.0  # px between two frames of the dataset that are ticked one by one
 _CURRENT = 2.0
@@ -52,7 +54,8 @@ class StripPainter:
     @staticmethod
     def height(metrics: QFontMetrics) -> int:
         """Return the height of a strip, px."""
-        return _TOP + _MARKS + _BAND + 1 + _STATUS + _GAP + 2 * metrics.height()
+        lines = round((1 + _NUMBERS) * metrics.height())
+        return _TOP + _MARKS + _BAND + 1 + _STATUS + _GAP + lines
 
     def paint_frames(
         self, painter: QPainter, content: StripContent, stretch: tuple[int, int] | None
@@ -169,7 +172,9 @@ class StripPainter:
         return np.unique(np.round((every + 0.5 - axis.begin) * axis.per_frame))
 
     def _paint_numbers(self, painter: QPainter) -> None:
-        axis, top = self._axis, self._numbers
+        axis, top, font = self._axis, self._numbers, QFont(painter.font())
+        font.setPointSizeF(font.pointSizeF() * _NUMBERS)
+        painter.setFont(font)
         widest = painter.fontMetrics().horizontalAdvance(str(axis.last)) + 24
         step = _round_step((axis.end - axis.begin) * widest / axis.width)
         painter.setPen(muted(self._colours, 0.3))
@@ -177,7 +182,7 @@ class StripPainter:
         while number < axis.end:
             x = axis.middle_of(number)
             painter.drawLine(QLineF(x, top - 1, x, top + 2))
-            box = QRectF(x - widest / 2, top + 1, widest, self._line)
+            box = QRectF(x - widest / 2, top + 2, widest, self._line * _NUMBERS)
             if box.left() >= -8 and box.right() <= axis.width + 8:
                 painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(number))
             number += step

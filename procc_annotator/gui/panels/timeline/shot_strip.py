@@ -1,8 +1,4 @@
-"""The timeline below the picture: every frame of a video or a shot, to see and to go to.
-
-It is shown for frames that follow one another. It takes room from the picture, which must not move
-under a click: if it is found late, it waits for the next frame unless this one was begun.
-"""
+"""The timeline below the picture: every frame of a video or a shot, to see and to go to."""
 
 from __future__ import annotations
 
@@ -26,12 +22,9 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.dataset.records import Status
 from procc_annotator.dataset.sequence import FrameSequence
-from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.panels.timeline.content import Axis, StripContent
 from procc_annotator.gui.panels.timeline.painting import StripPainter
-from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.state.store import When
 from procc_annotator.gui.theme import give_role
 from procc_annotator.translation import tr, word
 
@@ -126,7 +119,7 @@ _WAYS = {
 class ShotStrip(QWidget):
     """Paints a `StripContent`; a click or a drag goes to frames, the wheel zooms."""
 
-    def __init__(self, services: Services, editor: Editor) -> None:
+    def __init__(self, services: Services) -> None:
         super().__init__()
         give_role(self, QAccessible.Role.Slider)
         self.setObjectName("shotStrip")
@@ -153,35 +146,6 @@ class ShotStrip(QWidget):
             lambda s: (s.workspace, s.frame_index, s.blind, s.committed),
             self.content.changed,
         )
-        self._editor, self._wanted, self._begun = editor, True, False
-        self.setVisible(False)
-        services.sequence.changed.connect(self._take_sequence)
-        editor.changed.connect(self._note_begun)
-        watch = services.store.watch
-        watch(lambda s: (s.shown_annotation, s.selection), self._note_begun, When.GESTURE)
-        watch(select.frame, self._take_frame)
-
-    # --- whether it is shown ----------------------------------------------------------------
-
-    def set_wanted(self, wanted: bool) -> None:
-        """Show it where frames follow one another, or never."""
-        self._wanted = wanted
-        self._show_if_wanted()
-
-    def _take_frame(self) -> None:
-        """Another frame is on screen: the picture may move."""
-        self._begun = False
-        self._show_if_wanted()
-
-    def _note_begun(self) -> None:
-        self._begun = True
-
-    def _take_sequence(self) -> None:
-        if not self._begun and not self._editor.drawing:
-            self._show_if_wanted()
-
-    def _show_if_wanted(self) -> None:
-        self.setVisible(self._wanted and self._services.sequence.value is not None)
 
     def show_tasks(self, *tasks: StripTask) -> None:
         """Say how far these are, and which stretch is marked."""
