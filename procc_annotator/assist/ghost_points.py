@@ -12,7 +12,7 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_f
 from procc_annotator.assist.curves import regular_parameters
 from procc_annotator.assist.ghost_ends import locate_line_ends, reach_of
 from procc_annotator.assist.line_evidence import ExpectedLines
-from procc_annotator.assist.visible_line import VisibleLine, find_line
+from procc_annotator.assist.visible_line import Runs, VisibleLine, find_line
 from procc_annotator.calibration.prediction.ghosts import Ghost, GhostPiece
 from procc_annotator.field.model import ANY, EDGE, LINE, Field
 from procc_annotator.image.pixels import PixelArray
@@ -20,6 +20,7 @@ from procc_annotator.image.pixels import PixelArray
 # The share of a ghost that must be seen as a line for it to be accepted with all others.
 LEAST_SUPPORT = 0.5
 _FEWEST_POINTS = 2
+_FEWEST_CURVE_POINTS = 5  # which determine an ellipse
 _MOSTLY_SEEN = 0.5  # of a line as its paint: it is no edge between two areas
 _ONE_PLACE_PX = 3.0
 
@@ -103,7 +104,9 @@ def _find_points(
     if straight:
         line, unsure = locate_line_ends(lines[0], ghost, picture, paint, on_ground=on_ground)
         lines = [line]
-    places = _without_repetitions([place for line in lines for place in _regular(line, size)])
+    places = _without_repetitions(
+        [place for line in lines for place in _regular(line, size, curved=curved)]
+    )
     whole = sum(line.expected[1] - line.expected[0] + 1 for line in lines)
     support = min(1.0, sum(line.seen for line in lines) / whole) if whole else 0.0
     points = tuple(point_from_px(x, y, size) for x, y in places)
@@ -121,15 +124,26 @@ def _without_repetitions(places: list[tuple[float, float]]) -> list[tuple[float,
     return kept
 
 
-def _regular(line: VisibleLine, size: tuple[int, int]) -> list[tuple[float, float]]:
-    """Places from the first that is seen to the last, regular, without those that are hidden."""
+def _regular(
+    line: VisibleLine, size: tuple[int, int], *, curved: bool
+) -> list[tuple[float, float]]:
+    """Places from the first that is seen to the last, regular, without those that are hidden; a
+    curve is sampled from end to end of each stretch, so that its bends are kept."""
     if not line.runs:
         return []
-    begin, end = line.runs[0][0], line.runs[-1][1]
-    rows = np.arange(begin, end, dtype=np.float64)
-    wanted = regular_parameters(
-        rows, line.course_px[begin:end], line.directions[begin:end], size[0], least=1
-    )
+    stretches: Runs = line.runs if curved else ((line.runs[0][0], line.runs[-1][1]),)
+    least = math.ceil((_FEWEST_CURVE_POINTS - 1) / len(line.runs)) if curved else 1
+    parts = [
+        regular_parameters(
+            np.arange(first, past, dtype=np.float64),
+            line.course_px[first:past],
+            line.directions[first:past],
+            size[0],
+            least=least,
+        )
+        for first, past in stretches
+    ]
+    wanted = np.concatenate(parts)
     chosen: list[float] = []
     for first, past in line.runs:
         own = wanted[(wanted >= first) & (wanted <= past - 1)].tolist()

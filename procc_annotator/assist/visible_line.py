@@ -12,7 +12,6 @@ from procc_annotator.image.line_offsets import offsets_along_curve
 from procc_annotator.image.line_profiles import (
     LineTarget,
     StraightenedCurve,
-    Values,
     straighten_curve,
 )
 from procc_annotator.image.line_snapping import SNAP_RADIUS_PX
@@ -75,6 +74,7 @@ _CONTRAST_SHARES = 0.4, 2.2  # of what the line has at the nearest hits
 _COLOUR_COSINE = 0.93  # 22 degrees between two colours
 _GROUND_APART = 0.07  # of the shares of blue, green and red in a side's colour
 _GROUND_LIGHT = 0.45, 2.0
+_MOST_SPREAD = 0.5  # of the way from the ground's colour to the line's
 _RUN_STEADY_PX = 13  # a line shows in nearly every cut over this length
 _STEADY_SHARE = 0.65
 _GAP_PX = 6
@@ -116,7 +116,7 @@ def runs_seen(
         First and one past the last place of each stretch, ascending.
     """
     at_hits = _near(hits, len(strip.colours))
-    look = _strip_colours(strip, at_hits)
+    look = _strip_colours(strip, hits)
     steps = look.steps(edge=edge)
     stroke = (steps[0] + steps[1]) / 2
     usual_stroke = np.median(stroke[at_hits], axis=0)
@@ -130,7 +130,8 @@ def runs_seen(
         contrast <= largest_share * np.maximum(usual, _LEAST_CONTRAST)
     )
     if on_ground:
-        beside &= np.column_stack([_as_ground(side, at_hits) for side in (look.left, look.right)])
+        line = np.median(look.centre[at_hits], axis=0)
+        beside &= np.column_stack([_as_ground(s, line, at_hits) for s in (look.left, look.right)])
     lengths = np.linalg.norm(stroke, axis=1)
     in_colour = stroke @ colour >= _COLOUR_COSINE * np.maximum(lengths, 1e-6)
     runs = _steady_runs(in_colour & beside.all(axis=1))
@@ -143,7 +144,8 @@ def is_bare(picture: PixelArray, course: FloatArray, across: FloatArray, asked: 
     anything else that could hide it: across it all is alike. (n, 2) px of each and its normal."""
     if not asked.any() or (~asked).sum() < _RUN_PX:
         return False  # nobody can tell
-    look = _strip_colours(straighten_curve(picture, course, across, BESIDE_PX), ~asked)
+    strip = straighten_curve(picture, course, across, BESIDE_PX)
+    look = _strip_colours(strip, np.flatnonzero(~asked))
     usual = [np.median(part[~asked], axis=0) for part in (look.centre, look.left, look.right)]
     stroke = usual[0] - (usual[1] + usual[2]) / 2
     contrast = max(float(np.linalg.norm(stroke)), 1e-6)
@@ -154,12 +156,22 @@ def is_bare(picture: PixelArray, course: FloatArray, across: FloatArray, asked: 
     return bool(bare[asked].mean() > 0.5)
 
 
-def _strip_colours(strip: StraightenedCurve, at_hits: BoolArray) -> _StripColours:
-    width = _half_width(np.median(strip.colours[at_hits], axis=0), strip)
-    inner = max(0.5, 0.5 * width)
+def _strip_colours(strip: StraightenedCurve, hits: IntArray) -> _StripColours:
+    width = _half_widths(strip, hits)
+    inner = np.maximum(0.5, 0.5 * width)
     zones = (-inner, inner), (-width - 5.0, -width - 1.5), (width + 1.5, width + 5.0)
-    parts = [strip.colours[:, strip.columns(*zone)].mean(axis=1) for zone in zones]
-    return _StripColours(*(_smooth(part.astype(np.float64)) for part in parts))
+    return _StripColours(*(_smooth(_mean_between(strip, *zone)) for zone in zones))
+
+
+def _mean_between(strip: StraightenedCurve, low_px: FloatArray, high_px: FloatArray) -> FloatArray:
+    """(n, 3) means of the colours of each place from one offset (n,) to another one."""
+    offsets = strip.offsets_px
+    first = np.searchsorted(offsets, low_px, side="left")
+    past = np.maximum(np.searchsorted(offsets, high_px, side="right"), first + 1)
+    sums = np.zeros((len(strip.colours), len(offsets) + 1, 3))
+    np.cumsum(strip.colours, axis=1, dtype=np.float64, out=sums[:, 1:])
+    rows = np.arange(len(sums))
+    return np.asarray((sums[rows, past] - sums[rows, first]) / (past - first)[:, None])
 
 
 def _near(hits: IntArray, n: int) -> BoolArray:
@@ -170,20 +182,30 @@ def _near(hits: IntArray, n: int) -> BoolArray:
     return marked
 
 
-def _half_width(colours: Values, strip: StraightenedCurve) -> float:
-    """Half the stroke's width at half its height, px, by (m, 3) colours across it."""
-    outer = np.concatenate([colours[:8], colours[-8:]])
-    steps = colours - np.median(outer, axis=0)
+_WIDTH_HITS = 3  # whose median a width is
+
+
+def _half_widths(strip: StraightenedCurve, hits: IntArray) -> FloatArray:
+    """(n,) half the stroke's width at half its height, px, which changes along it: an arc is
+    widest where it leads away from the camera."""
+    around = np.clip(hits[:, None] + np.arange(-3, 4), 0, len(strip.colours) - 1)
+    colours = np.median(strip.colours[around], axis=1)
+    outer = np.concatenate([colours[:, :8], colours[:, -8:]], axis=1)
+    steps = colours - np.median(outer, axis=1)[:, None]
     near = strip.columns(-2.0, 2.0)
-    middle = steps[strip.columns(-0.5, 0.5)].mean(axis=0)
-    profile = steps @ (middle / max(float(np.linalg.norm(middle)), 1e-6))
-    peak = near.start + int(profile[near].argmax())
-    ground = float(np.median(np.concatenate([profile[:8], profile[-8:]])))
-    above = profile > (float(profile[peak]) + ground) / 2
-    right = len(above) - peak if above[peak:].all() else int(np.argmin(above[peak:]))
-    left = peak if above[: peak + 1].all() else int(np.argmin(above[: peak + 1][::-1]))
+    middle = steps[:, strip.columns(-0.5, 0.5)].mean(axis=1)
+    middle /= np.maximum(np.linalg.norm(middle, axis=1), 1e-6)[:, None]
+    profile = np.einsum("nmc,nc->nm", steps, middle)
+    peak = near.start + profile[:, near].argmax(axis=1)
+    rows = np.arange(len(hits))
+    ground = np.median(np.concatenate([profile[:, :8], profile[:, -8:]], axis=1), axis=1)
+    below = profile <= ((profile[rows, peak] + ground) / 2)[:, None]
+    columns = np.arange(profile.shape[1])
+    right = np.where(below & (columns > peak[:, None]), columns, profile.shape[1]).min(axis=1)
+    left = np.where(below & (columns < peak[:, None]), columns, -1).max(axis=1)
     step = float(strip.offsets_px[1] - strip.offsets_px[0])
-    return float(np.clip((left + right - 1) * step / 2, 0.75, 5.0))
+    own = np.clip((right - left - 1) * step / 2, 0.75, 5.0)
+    return np.interp(np.arange(len(strip.colours)), hits, _median_around(own, _WIDTH_HITS))
 
 
 def _smooth(values: FloatArray) -> FloatArray:
@@ -194,21 +216,32 @@ def _smooth(values: FloatArray) -> FloatArray:
 
 def _usual(contrast: FloatArray, hits: IntArray) -> FloatArray:
     """(n,) the contrast of the line, which changes along it, by the median of five hits around."""
-    own = np.pad(contrast[hits], 2, mode="reflect" if len(hits) > 2 else "edge")
-    around = np.median([own[k : k + len(hits)] for k in range(5)], axis=0)
-    return np.asarray(np.interp(np.arange(len(contrast)), hits, around))
+    own = _median_around(contrast[hits], 5)
+    return np.asarray(np.interp(np.arange(len(contrast)), hits, own))
 
 
-def _as_ground(side: FloatArray, at_hits: BoolArray) -> BoolArray:
-    """(n,) whether a side has the colour it has at the hits, in light or shadow."""
+def _median_around(values: FloatArray, count: int) -> FloatArray:
+    """(n,) medians of so many values around each."""
+    half = count // 2
+    own = np.pad(values, half, mode="reflect" if len(values) > half else "edge")
+    return np.median([own[k : k + len(values)] for k in range(count)], axis=0)
+
+
+def _as_ground(side: FloatArray, line: FloatArray, at_hits: BoolArray) -> BoolArray:
+    """(n,) whether a side has the colour it has at the hits, in light or shadow.
+
+    Compression spreads the line's colour (3,) into its sides, most where it is wide.
+    """
     light = side.sum(axis=1)
     shares = side / np.maximum(light, 1.0)[:, None]
     usual = np.median(shares[at_hits], axis=0)
     usual_light = float(np.median(light[at_hits]))
-    apart = np.linalg.norm(shares - usual, axis=1)
+    to_line = line / max(float(line.sum()), 1.0) - usual
+    spread = (shares - usual) @ to_line / max(float(to_line @ to_line), 1e-9)
+    apart = shares - usual - np.clip(spread, 0.0, _MOST_SPREAD)[:, None] * to_line
     darkest, brightest = _GROUND_LIGHT
     as_light = (light >= darkest * usual_light) & (light <= brightest * usual_light)
-    return np.asarray((apart <= _GROUND_APART) & as_light)
+    return np.asarray((np.linalg.norm(apart, axis=1) <= _GROUND_APART) & as_light)
 
 
 def _steady_runs(shown: BoolArray) -> Runs:

@@ -3,8 +3,11 @@
 import numpy as np
 import pytest
 
-from procc_annotator.annotation import FrameAnnotation, Point, Polyline
+from procc_annotator.annotation import FrameAnnotation, Point, Polyline, points_px
 from procc_annotator.assist.line_evidence import ExpectedLines, line_evidence_by_class
+from procc_annotator.batch.auto_annotation import annotate_picture
+from procc_annotator.calibration.single_image.propose import propose_camera
+from procc_annotator.dataset.review import check_frame
 from procc_annotator.field.load import load_field
 from procc_annotator.image.decoding import decode_bgra
 from tests.bench.paint.measures import accepted, regular, snapping
@@ -60,3 +63,37 @@ def test_a_faint_line_that_points_were_put_on_has_paint(shared_data):
 
     assert missing_share(0.0) < 0.5
     assert missing_share(0.05) > 0.9
+
+
+@pytest.mark.parametrize(
+    ("clip", "numbers"),
+    [("16_RealMadrid-Shakhtar_245_253", (0, 209)), ("River-Boca_a", (130, 305))],
+)
+def test_accepted_points_give_no_finding_and_follow_arcs(clip, numbers, shared_data):
+    """A post stands before white boards, arcs are widest where they turn; an element that is moved
+    off its paint is named."""
+    video, soccer = shared_data / "clips" / f"soccer_{clip}.mp4", load_field("soccer")
+    for number in numbers:
+        picture = decode_bgra(video / f"{number:08d}")
+        size = picture.shape[1], picture.shape[0]
+        proposal = propose_camera(picture, soccer)
+        assert proposal.fit.camera is not None
+        made = annotate_picture(str(number), picture, proposal.fit.camera, soccer).annotation
+        assert not _found(made, picture, soccer, size)
+        for name in ("Circle left", "Circle right"):
+            if (arc := made.get(name)) is not None:
+                chords = np.hypot(*np.diff(points_px(arc, size), axis=0).T)
+                assert len(arc.points) >= 5
+                assert chords.max() < size[0] / 15
+        for name in ("Side line top", "Big rect. left top", "Small rect. right main"):
+            if (line := made.get(name)) is not None:
+                moved = tuple(Point(p.u, p.v + 5 / 540) for p in line.points)
+                others = made.with_polyline(Polyline(name, moved))
+                assert name in {
+                    e for f in _found(others, picture, soccer, size) for e in f.elements
+                }
+
+
+def _found(annotation, picture, soccer, size):
+    paint = line_evidence_by_class(annotation, picture, soccer)
+    return [own.finding for own in check_frame(annotation, soccer, size=size, paint=paint).found]

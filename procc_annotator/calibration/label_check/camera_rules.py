@@ -39,6 +39,7 @@ from procc_annotator.calibration.label_check.finding import (
     RemedyKind,
     Rule,
     Severity,
+    outlier_point_finding,
 )
 from procc_annotator.calibration.optimization.camera_parameters import WIDE_ANGLE_MODELS
 from procc_annotator.calibration.optimization.camera_placement import insufficient_reason
@@ -304,40 +305,16 @@ def _outlier_point_finding(
     bad = found.points[name]
     if bad.off_px <= max(_usual_error_limit(found), _USUAL_ERROR_RATIO * bad.rest_px):
         severity = Severity.WARNING
-    title, number = translatable(doubted.field.title_of(name)), bad.index + 1
     polyline = doubted.annotation.get(name)
-    count = 0 if polyline is None else len(polyline.points)
-    look = translatable("look at point {number}", number=number)
-    remedies: tuple[Remedy, ...] = (Remedy(RemedyKind.LOOK, look),)
-    if count > 2:
-        remove = translatable("remove point {number}", number=number)
-        remedies = (Remedy(RemedyKind.REMOVE_POINT, remove), *remedies)
-    off = in_image_px(bad.off_px, doubted.frame)
-    rest = in_image_px(bad.rest_px, doubted.frame)
-    reason = translatable(
-        "point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px",
-        number=number,
-        title=title,
-        off=off,
-        rest=rest,
-    )
-    if count == 2:
-        reason = translatable(
-            "point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px",
-            number=number,
-            title=title,
-            off=off,
-            rest=rest,
-        )
-    return Finding(
-        Rule.POINT,
+    return outlier_point_finding(
+        name,
+        doubted.field.title_of(name),
+        bad.index,
+        0 if polyline is None else len(polyline.points),
+        in_image_px(bad.off_px, doubted.frame),
+        in_image_px(bad.rest_px, doubted.frame),
         severity,
-        (name,),
-        reason,
-        remedies,
-        point=bad.index,
-        error_px=off,
-        model=doubted.model,
+        doubted.model,
     )
 
 

@@ -122,8 +122,8 @@ def add_line_evidence(
 ) -> tuple[Finding, ...]:
     """Return what is known once the picture was examined: the surest first.
 
-    Ends are short only where the picture shows paint beyond them, and what it shows under and
-    next to the elements is reported.
+    Ends are short only where the picture shows paint beyond them, a point that paint leads to is
+    right, and what is seen under and next to the elements is reported.
 
     Args:
         findings: of this annotation, without the picture.
@@ -134,10 +134,19 @@ def add_line_evidence(
         return tuple(findings)
     frame = ImageFrame(size, field.pixel_aspect)
     evidence = FrameEvidence(annotation, field, frame, fit, paint=paint)
-    found = [f for f in findings if f.rule is not Rule.SHORT]
+    found = [f for f in findings if f.rule is not Rule.SHORT and not _is_on_line(f, paint)]
     for rules in (short_end_findings, line_evidence_findings):
         found.extend(rules(evidence, tuple(found)))
     return tuple(sorted(found, key=_finding_order))
+
+
+def _is_on_line(finding: Finding, paint: Mapping[str, LineEvidence]) -> bool:
+    """Return whether one point is in doubt, and paint leads to it: grass is no plane."""
+    seen = paint.get(finding.elements[0]) if finding.rule is Rule.POINT else None
+    if seen is None or finding.point is None:
+        return False
+    near = (seen.segments == finding.point) | (seen.segments == finding.point - 1)
+    return bool(near.any() and not seen.missing[near].any())
 
 
 def check_without_camera(

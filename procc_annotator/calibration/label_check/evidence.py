@@ -53,6 +53,9 @@ class LineEvidence:
         segments: (n,) between which clicks each lies, 0 before the second one.
         lengths_px: (n,) px of the element that each stands for.
         ahead: beyond the first click and beyond the last: (m,) px from it, (m,) offsets as above.
+        emptiness: (n,) 0 to 1, how surely there is none where none was found: less where faint
+            paint or something that may hide it is seen.
+        click_offsets_px: as ``offsets_px``, of every point of the element.
     """
 
     size: tuple[int, int]
@@ -61,6 +64,8 @@ class LineEvidence:
     segments: IntArray
     lengths_px: FloatArray
     ahead: tuple[tuple[FloatArray, FloatArray], tuple[FloatArray, FloatArray]]
+    emptiness: FloatArray | float = 1.0
+    click_offsets_px: FloatArray = dataclasses.field(default_factory=lambda: np.zeros(0))
 
     @property
     def scale(self) -> float:
@@ -83,17 +88,18 @@ class LineEvidence:
     @property
     def missing_share(self) -> float:
         """Share of the element's length under which there is no paint, 0 to 1."""
-        return float(
-            self.lengths_px[self.paint != LinePresence.UNDER].sum() / self.lengths_px.sum()
-        )
+        return float(self.missing @ self.lengths_px / self.lengths_px.sum())
+
+    @cached_property
+    def missing(self) -> FloatArray:
+        """(n,) how surely there is no paint under each place, 0 to 1."""
+        off = np.where(self.paint == LinePresence.NONE, self.emptiness, 1.0)
+        return np.where(self.paint == LinePresence.UNDER, 0.0, off)
 
     @property
     def longest_gap_px(self) -> float:
         """Length of the longest stretch without paint under it, px."""
-        runs = (
-            self.lengths_px[begin:end].sum()
-            for begin, end in true_runs(self.paint != LinePresence.UNDER)
-        )
+        runs = (self.lengths_px[begin:end].sum() for begin, end in true_runs(self.missing > 0))
         return float(max(runs, default=0.0))
 
     def ends_at(self, end: int, gap_px: float) -> bool:

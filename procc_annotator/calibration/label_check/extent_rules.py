@@ -9,6 +9,7 @@ import numpy as np
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.calibration.label_check.evidence import (
+    ON_LINE_PX,
     AnnotatedElement,
     FrameEvidence,
     LineEvidence,
@@ -23,6 +24,7 @@ from procc_annotator.calibration.label_check.finding import (
     Rule,
     Severity,
     error_classes,
+    outlier_point_finding,
 )
 from procc_annotator.calibration.optimization.observations import ImageFrame
 from procc_annotator.calibration.prediction.visible_elements import (
@@ -182,6 +184,7 @@ _MIN_DISPLACED_SHARE, _END_SHARE = 0.25, 0.7
 # still is, and how far what is seen between them may leave a line.
 _DISPLACED_END_PX, _ALIGNED_PX, _LINE_RESIDUAL_PX = 2.5, 1.2, 0.9
 _MIN_PLACES, _SEEN_SPACING_PX = 3, 1.2
+_DISPLACED_CLICK_PX = 3.0  # at 960 px width
 _FOLLOW_LINE_REMEDY = Remedy(RemedyKind.FOLLOW, translatable("put its points along the paint"))
 
 
@@ -221,6 +224,8 @@ def _displaced_finding(one: AnnotatedElement, seen: LineEvidence) -> Finding | N
         return Finding(
             Rule.BESIDE_PAINT, Severity.WARNING, (one.name,), reason, (_FOLLOW_LINE_REMEDY,)
         )
+    if (found := _displaced_click(seen)) is not None:
+        return outlier_point_finding(one.name, one.element.title, *found, severity=Severity.WARNING)
     if (end := _displaced_end(one, seen)) is not None:
         which, off_px = end
         reason = translatable(
@@ -292,6 +297,20 @@ def _line_bend_px(one: AnnotatedElement, seen: LineEvidence) -> float:
     return most if most_px >= _BEND_PX and at_ends.max() <= _END_SHARE * most_px else 0.0
 
 
+def _displaced_click(seen: LineEvidence) -> tuple[int, int, float, float] | None:
+    """Which click between others lies next to the paint that both its neighbours are on, of how
+    many, and how far it and the others lie off, px of the picture."""
+    off = np.abs(seen.click_offsets_px)
+    on_line = off * seen.scale <= ON_LINE_PX
+    lies_off = off[1:-1] * seen.scale >= _DISPLACED_CLICK_PX
+    which = 1 + np.flatnonzero(lies_off & on_line[:-2] & on_line[2:])
+    if not len(which):
+        return None
+    worst = int(which[off[which].argmax()])
+    rest = np.nanmax(np.delete(off, worst))
+    return worst, len(off), float(off[worst]), float(rest)
+
+
 def _displaced_end(one: AnnotatedElement, seen: LineEvidence) -> tuple[int, float] | None:
     """Which end of a straight element lies next to its paint, 0 or -1, and how far, px of the
     picture: from the click before it the paint steadily leaves the line."""
@@ -329,6 +348,7 @@ def _end_without_line(one: AnnotatedElement, seen: LineEvidence) -> int | None:
     for end in (0, -1):
         there = seen.segments == seen.segments[end]
         rest = (~there).sum()
-        if there.sum() >= _MIN_PLACES <= rest and unseen[there].all() and not unseen[~there].any():
+        is_seen = not unseen[there].all() or seen.missing[there].mean() <= _MIN_MISSING_SHARE
+        if there.sum() >= _MIN_PLACES <= rest and not is_seen and not unseen[~there].any():
             return end
     return None

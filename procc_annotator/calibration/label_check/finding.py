@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Any
 
 from procc_annotator.errors import UsageError
 from procc_annotator.translation import translatable
@@ -110,3 +111,41 @@ class Finding:
 def error_classes(found: Iterable[Finding]) -> frozenset[str]:
     """The classes that errors are about."""
     return frozenset(name for f in found if f.severity is Severity.ERROR for name in f.elements)
+
+
+def outlier_point_finding(
+    name: str,
+    title: str,
+    index: int,
+    count: int,
+    off: float,
+    rest: float,
+    severity: Severity,
+    model: str | None = None,
+) -> Finding:
+    """One of ``count`` points of an element is off, px of the picture, its others at most
+    ``rest``."""
+    number = index + 1
+    look = translatable("look at point {number}", number=number)
+    remedies: tuple[Remedy, ...] = (Remedy(RemedyKind.LOOK, look),)
+    if count > 2:
+        remove = translatable("remove point {number}", number=number)
+        remedies = (Remedy(RemedyKind.REMOVE_POINT, remove), *remedies)
+    values: dict[str, Any] = {
+        "number": number,
+        "title": translatable(title),
+        "off": off,
+        "rest": rest,
+    }
+    reason = translatable(
+        "point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px",
+        **values,
+    )
+    if count == 2:
+        reason = translatable(
+            "point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px",
+            **values,
+        )
+    return Finding(
+        Rule.POINT, severity, (name,), reason, remedies, point=index, error_px=off, model=model
+    )

@@ -66,6 +66,31 @@ def test_bare_grass_has_none_and_ends_are_looked_at_beyond(picture):
     assert whole.ends_at(0, 30.0)
 
 
+def test_a_post_before_a_white_board_is_not_missing_and_one_in_the_crowd_is():
+    rng = np.random.default_rng(2)
+    scene = rng.integers(20, 120, (SIZE[1], SIZE[0], 3)).astype(np.uint8)
+    cv2.line(scene, (400, 100), (400, 300), (240, 240, 240), 7)
+    scene[150:270] = 240
+    picture = np.dstack([scene, np.full(SIZE[::-1], 255, dtype=np.uint8)])
+    name = "Goal left post right"
+    for x, most in ((400, 0.5), (460, 1.0)):
+        post = clicked((x, 100), (x, 300), name=name)
+        missing = line_evidence_by_class(post, picture, FIELD)[name].missing_share
+        assert most - 0.5 < missing <= most
+
+
+def test_one_click_beside_the_paint_of_its_neighbours_is_measured(picture):
+    """Farther off than clicks are snapped, on a straight line and on a curve."""
+    seen = line_evidence_by_class(
+        clicked((100, 100), (200, 112.75), (300, 107.5), (400, 111.25)), picture, FIELD
+    )[LINE]
+    assert seen.click_offsets_px[1:3] == pytest.approx([-9.0, 0.0], abs=0.4)
+    places = [(x, 300 + 5 * (1 - ((x - 500) / 400) ** 2)) for x in range(100, 901, 100)]
+    places[4] = 500, 314
+    seen = line_evidence_by_class(clicked(*places, name="Circle central"), picture, FIELD)
+    assert seen["Circle central"].click_offsets_px[3:6] == pytest.approx([0, -9, 0], abs=0.5)
+
+
 def test_what_did_not_change_is_not_looked_at_again(picture, monkeypatch):
     first = clicked((100, 100), (900, 130))
     known = line_evidence(first, picture, FIELD)
