@@ -12,6 +12,7 @@ from procc_annotator.image.line_offsets import offsets_along_curve
 from procc_annotator.image.line_profiles import (
     LineTarget,
     StraightenedCurve,
+    Values,
     straighten_curve,
 )
 from procc_annotator.image.line_snapping import SNAP_RADIUS_PX
@@ -182,30 +183,43 @@ def _near(hits: IntArray, n: int) -> BoolArray:
     return marked
 
 
+def _half_width(colours: Values, strip: StraightenedCurve) -> float:
+    """Half the stroke's width at half its height, px, by (m, 3) colours across it."""
+    outer = np.concatenate([colours[:8], colours[-8:]])
+    steps = colours - np.median(outer, axis=0)
+    near = strip.columns(-2.0, 2.0)
+    middle = steps[strip.columns(-0.5, 0.5)].mean(axis=0)
+    profile = steps @ (middle / max(float(np.linalg.norm(middle)), 1e-6))
+    peak = near.start + int(profile[near].argmax())
+    ground = float(np.median(np.concatenate([profile[:8], profile[-8:]])))
+    above = profile > (float(profile[peak]) + ground) / 2
+    right = len(above) - peak if above[peak:].all() else int(np.argmin(above[peak:]))
+    left = peak if above[: peak + 1].all() else int(np.argmin(above[: peak + 1][::-1]))
+    step = float(strip.offsets_px[1] - strip.offsets_px[0])
+    return float(np.clip((left + right - 1) * step / 2, 0.75, 5.0))
+
+
 _WIDTH_HITS = 3  # whose median a width is
+_GROUND_PX = 5.5, 8.0
 
 
 def _half_widths(strip: StraightenedCurve, hits: IntArray) -> FloatArray:
-    """(n,) half the stroke's width at half its height, px, which changes along it: an arc is
-    widest where it leads away from the camera."""
+    """(n,) half the stroke's width at half its height, px: what it is as a rule, and more where it
+    is wider towards both sides, as an arc is where it leads away from the camera."""
+    least = _half_width(np.median(strip.colours[_near(hits, len(strip.colours))], axis=0), strip)
     around = np.clip(hits[:, None] + np.arange(-3, 4), 0, len(strip.colours) - 1)
     colours = np.median(strip.colours[around], axis=1)
-    outer = np.concatenate([colours[:, :8], colours[:, -8:]], axis=1)
-    steps = colours - np.median(outer, axis=1)[:, None]
-    near = strip.columns(-2.0, 2.0)
-    middle = steps[:, strip.columns(-0.5, 0.5)].mean(axis=1)
-    middle /= np.maximum(np.linalg.norm(middle, axis=1), 1e-6)[:, None]
-    profile = np.einsum("nmc,nc->nm", steps, middle)
-    peak = near.start + profile[:, near].argmax(axis=1)
-    rows = np.arange(len(hits))
-    ground = np.median(np.concatenate([profile[:, :8], profile[:, -8:]], axis=1), axis=1)
-    below = profile <= ((profile[rows, peak] + ground) / 2)[:, None]
-    columns = np.arange(profile.shape[1])
-    right = np.where(below & (columns > peak[:, None]), columns, profile.shape[1]).min(axis=1)
-    left = np.where(below & (columns < peak[:, None]), columns, -1).max(axis=1)
+    line = colours[:, strip.columns(-0.5, 0.5)].mean(axis=1)
+    middle, ground = len(strip.offsets_px) // 2, strip.columns(*_GROUND_PX)
+    extents = []
+    for outwards in (colours, colours[:, ::-1]):
+        base = outwards[:, ground].mean(axis=1)
+        height = np.einsum("nmc,nc->nm", outwards[:, middle:] - base[:, None], line - base)
+        below = height <= height[:, :1] / 2
+        extents.append(np.where(below.any(axis=1), below.argmax(axis=1), below.shape[1]))
     step = float(strip.offsets_px[1] - strip.offsets_px[0])
-    own = np.clip((right - left - 1) * step / 2, 0.75, 5.0)
-    return np.interp(np.arange(len(strip.colours)), hits, _median_around(own, _WIDTH_HITS))
+    own = _median_around((np.minimum(*extents) - 0.5) * step, _WIDTH_HITS)
+    return np.interp(np.arange(len(strip.colours)), hits, np.clip(own, least, 5.0))
 
 
 def _smooth(values: FloatArray) -> FloatArray:

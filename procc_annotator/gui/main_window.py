@@ -160,12 +160,14 @@ class MainWindow(QMainWindow):
         self.assistant = Assistant(services, self)
         self.ghost_tasks = GhostCommands(services, self.canvas, self.settings, self)
         self.status_walk = StatusWalk(services)
-        self.shot_walk = ShotWalk(services, self.canvas, self)
         self.shot_following = ShotFollowing(services, self)
         self.stretch_accepting = StretchAccepting(
             services, lambda: self.ghost_tasks.accepting.least_support, self
         )
         self.stretch_accepting.following = lambda: self.shot_following.running
+        self.shot_walk = ShotWalk(
+            services, self.canvas, lambda: self.stretch_accepting.unsure, self
+        )
         self.canvas.editor.ask_first(
             self.canvas.camera_drag.key,
             self.assistant.key,
@@ -259,6 +261,8 @@ class MainWindow(QMainWindow):
             changed.connect(self._show_strip)
         self.ghost_tasks.accepting.progressed.connect(self.status.show_ghosts)
         self.worst_first.progressed.connect(self.status.show_comparing)
+        accepting = self.stretch_accepting
+        accepting.changed.connect(lambda: self.status.set_work(accepting.words()))
         self.triage.serve(self.scores.verdict)
         # Its reason should be in sight.
         self.label_check.walked.connect(lambda: self.panels.show_unless_hidden("findings"))

@@ -7,6 +7,7 @@ from threading import Event
 from typing import Any
 
 import cv2
+import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
@@ -21,7 +22,7 @@ from procc_annotator.gui.main_window import MainWindow
 from procc_annotator.gui.state.prediction import camera_choice
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction import palette as tones
-from tests.gui.conftest import Hand, all_done, until_kept
+from tests.gui.conftest import Hand, all_done, heard, until_kept
 
 Key, SHIFT = Qt.Key, Qt.KeyboardModifier.ShiftModifier
 
@@ -293,3 +294,36 @@ class TestOff:
         all_done(qtbot)
 
         assert ghosts(window)
+
+
+def test_everything_sure_is_annotated_in_one_step(make_window, annotated, qtbot, hand_on):
+    """A frame without a field, and one that was annotated before, are left as they are."""
+    first, second, third = (annotated / f"0000{i}.json" for i in (1, 2, 3))
+    before = first.read_bytes()
+    second.unlink()
+    third.unlink()
+    noise = np.random.default_rng(0).integers(0, 255, (540, 960, 3)).astype(np.uint8)
+    cv2.imwrite(str(annotated / "00000.jpg"), noise)
+    window = make_window(annotated)
+    window.services.navigator.go_to(2)
+    all_done(qtbot)
+    said = heard(window.services)
+
+    def run(act: Callable[[], object]) -> list[bool]:
+        act()
+        qtbot.waitUntil(lambda: not window.stretch_accepting.running, timeout=60_000)
+        all_done(qtbot)
+        until_kept()
+        files = [json.loads(path.read_text()) if path.exists() else {} for path in (second, third)]
+        assert first.read_bytes() == before
+        return [len(entries) > 3 for entries in files]
+
+    assert run(window.actions_["annotate_sure"].trigger) == [True, True]
+    assert not (annotated / "00000.json").exists()
+    assert "1 frame is not sure" in said[-1]
+    hand: Hand = hand_on(window)
+    assert run(lambda: hand.key(Key.Key_Z, Qt.KeyboardModifier.ControlModifier)) == [False, False]
+    assert run(lambda: hand.key(Key.Key_Y, Qt.KeyboardModifier.ControlModifier)) == [True, True]
+    window.actions_["next_doubtful"].trigger()
+    all_done(qtbot)
+    assert window.services.state.frame_name == "00000"

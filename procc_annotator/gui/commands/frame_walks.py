@@ -49,9 +49,16 @@ class ShotWalk(QObject):
 
     playingChanged = Signal(bool)
 
-    def __init__(self, services: Services, canvas: Canvas, window: QObject) -> None:
+    def __init__(
+        self,
+        services: Services,
+        canvas: Canvas,
+        unsure: Callable[[], Mapping[int, float]],
+        window: QObject,
+    ) -> None:
+        """Stay where it is; ``unsure`` has the probabilities of frames by index."""
         super().__init__(window)
-        self._services, self._window = services, window
+        self._services, self._window, self._unsure = services, window, unsure
         self._at: int | None = None  # where playing is
         self._clock = QTimer(self, singleShot=True)
         self._clock.timeout.connect(self._play_on)
@@ -74,7 +81,11 @@ class ShotWalk(QObject):
             self._go(indices, step, _ANNOTATED)
 
     def go_doubtful(self, step: int) -> None:
-        """Go to the nearest frame whose track is in doubt, after (1) or before (-1) this one."""
+        """Go through the frames that are not sure, the least sure first; without such to the
+        nearest frame whose track is in doubt, after (1) or before (-1) this one."""
+        if self._unsure() and not self._services.state.blind:
+            self._go_unsure(step)
+            return
         sequence = self._services.sequence.value
         tracked = self._services.shot_track.tracked
         if sequence is None or not self._has_order():
@@ -87,6 +98,19 @@ class ShotWalk(QObject):
             return
         index_of = sequence.index_of
         self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, _DOUBTFUL)
+
+    def _go_unsure(self, step: int) -> None:
+        here, annotated = self._services.state.frame_index, self._services.annotated_frames.indices
+        unsure = {i: p for i, p in self._unsure().items() if i == here or i not in annotated}
+        order = sorted(unsure, key=lambda index: (unsure[index], index))
+        if not [index for index in order if index != here]:
+            self._services.say(tr("no other frame is unsure"))
+            return
+        place = (order.index(here) + step) % len(order) if here in unsure else 0
+        self._services.navigator.come_to(order[place])
+        self._services.say(
+            tr("{place} of {total}, the least sure first", place=place + 1, total=len(order))
+        )
 
     def _go(self, indices: Iterable[int], step: int, what: str) -> None:
         here = self._services.state.frame_index

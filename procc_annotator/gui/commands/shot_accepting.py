@@ -1,4 +1,4 @@
-"""Accepting a stretch of the track: its sure frames are annotated along it, in one action."""
+"""Annotate many frames in one action: the sure frames of a track, or of the whole dataset."""
 
 from __future__ import annotations
 
@@ -11,7 +11,10 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.assist.ghost_points import accept_all, find_points
+from procc_annotator.batch.camera_proposals import ProposalRun, Proposed, second_pass
 from procc_annotator.calibration.prediction.ghosts import find_ghosts
+from procc_annotator.calibration.result import FitResult
+from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.dataset.frames import Frame
@@ -24,6 +27,8 @@ from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.editing.batch_edits import BatchEdits, EditedFrames, edit_frame
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.state.state import Level
+from procc_annotator.image.decoding import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.translation import tr, tr_count, translatable, word
 
@@ -33,6 +38,7 @@ _EDITED = word("it was edited since")
 _NOT_FOLLOWED = word("no frame to accept: follow the shot first (T)")
 _FOLLOWING = word("the shot is still being followed: wait for its end, or stop it (T), then accept")
 _NONE_LEFT = word("no frame to accept: all that were followed are annotated")
+_ALL_ANNOTATED = word("every frame is annotated")
 _BLIND = word("blind mode: nothing is accepted that was not clicked")
 
 
@@ -78,8 +84,30 @@ class _Stretch:
                 yield index, frame
 
 
+@dataclass(frozen=True, eq=False)
+class _Dataset:
+    """The frames of a dataset without annotation.
+
+    Attributes:
+        indices: of these in ``frames``.
+        tracked: index -> the camera of a sure tracked frame.
+        not_visible, least: as of `_Stretch`.
+    """
+
+    frames: Sequence[Frame]
+    indices: Sequence[int]
+    tracked: Mapping[int, FitResult]
+    not_visible: Callable[[str], frozenset[str]]
+    field: Field
+    least: float
+
+
+Unsure = dict[int, float]  # index of a frame -> probability that its camera is right
+Found = dict[int, FrameAnnotation]  # index of a frame -> what it is to hold
+
+
 class StretchAccepting(QObject):
-    """One stretch at a time. What is annotated already is never written over; each frame keeps its
+    """One run at a time. What is annotated already is never written over; each frame keeps its
     own history, and can be taken back alone.
 
     Attributes:
@@ -98,10 +126,11 @@ class StretchAccepting(QObject):
         self.marked: Callable[[], tuple[int, int] | None] = lambda: None
         self._looking = LatestOnlyTask(self, self._fail)
         self._far = (0, 0)
-        self._found: dict[int, FrameAnnotation] = {}
-        self._put: dict[int, FrameAnnotation] = {}  # what frames held once they were edited
-        self._accepted: dict[int, FrameAnnotation] = {}  # what was accepted last, by index
-        self._taken_back: dict[int, FrameAnnotation] = {}  # what was taken back last
+        self.unsure: Unsure = {}  # frames that `accept_sure` left
+        self._found: Found = {}
+        self._put: Found = {}  # what frames held once they were edited
+        self._accepted: Found = {}  # what was accepted last, by index
+        self._taken_back: Found = {}  # what was taken back last
         self._offered: frozenset[int] = frozenset()  # doubtful frames that once more accepts
         self._at = -1  # the frame on screen by then; -1 once somebody went on
         self._here = _NOTHING  # what it held by then
@@ -121,23 +150,16 @@ class StretchAccepting(QObject):
             return ""
         done, total = self._far
         if not total:
-            return tr("looking for paint along the track")
+            return tr("finding line points …  Esc stops")
         return tr(
-            "looking for paint along the track: {done} of {total} frames", done=done, total=total
+            "finding line points: {done} of {total} frames  ·  Esc stops", done=done, total=total
         )
 
     def accept(self) -> None:
         """Annotate the sure frames along the track; once more, the doubtful ones too."""
-        services, workspace = self._services, self._services.state.workspace
-        if self.running or workspace is None:
+        services = self._services
+        if not self._may_begin():
             return
-        if self.following():
-            services.say(tr(_FOLLOWING))
-            return
-        if not services.proposals.allowed:
-            services.say(tr(_BLIND))
-            return
-        services.store.events.aboutToLeave.emit()
         stretch = self._stretch()
         if stretch is None or not any(n in stretch.tracked for n in stretch.numbers):
             services.say(tr(_NOT_FOLLOWED))
@@ -155,6 +177,48 @@ class StretchAccepting(QObject):
         self._far = (0, 0)
         self._looking.start(partial(_look, stretch, chosen), self._take, progress=self._advance)
         self.changed.emit()
+
+    def accept_sure(self) -> None:
+        """Annotate every frame of the dataset that has a sure camera, of the track or found in its
+        picture; the others become `unsure`."""
+        services, shot_track = self._services, self._services.shot_track
+        workspace, sequence = services.state.workspace, services.sequence.value
+        if workspace is None or not self._may_begin():
+            return
+        annotated = services.annotated_frames.indices
+        indices = [
+            index
+            for index, frame in enumerate(workspace.frames)
+            if index not in annotated and services.proposals.allowed_in(frame.name)
+        ]
+        if not indices:
+            services.say(tr(_ALL_ANNOTATED))
+            return
+        index_of = {} if sequence is None else sequence.index_of
+        tracked = {
+            index_of[number]: one.fit
+            for number, one in shot_track.tracked.items()
+            if number in index_of and one.fit is not None and not review_reason(one)
+        }
+        state, not_visible = services.state, services.review.not_visible
+        dataset = _Dataset(
+            workspace.frames, indices, tracked, not_visible, state.field, self._least_support()
+        )
+        self._far = (0, 0)
+        self._looking.start(
+            partial(_annotate_sure, dataset), self._take_sure, progress=self._advance
+        )
+        self.changed.emit()
+
+    def _may_begin(self) -> bool:
+        services = self._services
+        if self.running or services.state.workspace is None:
+            return False
+        if self.following() or not services.proposals.allowed:
+            services.say(tr(_FOLLOWING if self.following() else _BLIND))
+            return False
+        services.store.events.aboutToLeave.emit()
+        return True
 
     def take_back(self) -> None:
         """Frames that were accepted last and not edited since are as they were before."""
@@ -213,10 +277,17 @@ class StretchAccepting(QObject):
         self._far = (done, total)
         self.changed.emit()
 
-    def _take(self, found: dict[int, FrameAnnotation]) -> None:
+    def _take_sure(self, done: tuple[Found, Unsure]) -> None:
+        found, self.unsure = done
+        self._offered = frozenset()
+        self._take(found)
+
+    def _take(self, found: Found) -> None:
         self.changed.emit()
         if not found:
-            words = tr("no frame was accepted: too little of their lines is seen")
+            words = tr("no frame was annotated: too little of their lines is seen")
+            if self.unsure:
+                words = tr("no frame was annotated: no camera is sure")
             self._services.say("; ".join((words, *self._left())))
             return
         self._found, self._put = found, {}
@@ -274,16 +345,26 @@ class StretchAccepting(QObject):
         self._here = self._accepted.get(self._at, self._here)
         words = tr_count(
             len(outcome.edited),
-            "accepted {n:,} frame along the track",
-            "accepted {n:,} frames along the track",
+            "annotated {n:,} frame",
+            "annotated {n:,} frames",
         )
         back = tr("Ctrl+Z takes them back")
-        services.say("; ".join((words, *_why(outcome), *self._left(), back)))
+        level: Level = "warning" if self.unsure else "info"
+        remedy = "next_doubtful" if self.unsure else ""
+        services.say("; ".join((words, *_why(outcome), *self._left(), back)), level, remedy)
         self.changed.emit()
 
     def _left(self) -> list[str]:
-        """Name the doubtful frames that were left, and how they are accepted."""
+        """Name the doubtful frames that were left, and how they are accepted or gone through."""
         count = len(self._offered)
+        if self.unsure:
+            return [
+                tr_count(
+                    len(self.unsure),
+                    "{n:,} frame is not sure: Alt+PgDown shows it",
+                    "{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first",
+                )
+            ]
         return [
             tr_count(
                 count,
@@ -297,8 +378,8 @@ class StretchAccepting(QObject):
         self._here = self._services.state.annotation
         words = tr_count(
             len(outcome.edited),
-            "taken back: {n:,} frame accepted along the track",
-            "taken back: {n:,} frames accepted along the track",
+            "taken back: {n:,} annotated frame",
+            "taken back: {n:,} annotated frames",
         )
         self._services.say("; ".join((words, *_why(outcome))))
         self.changed.emit()
@@ -314,6 +395,7 @@ class StretchAccepting(QObject):
         self._stop_looking()
         self._edits.forget()
         self._accepted, self._taken_back, self._offered = {}, {}, frozenset()
+        self.unsure = {}
         self._at = -1
 
 
@@ -338,9 +420,7 @@ def _doubtful(reasons: list[str]) -> str:
     )
 
 
-def _look(
-    stretch: _Stretch, chosen: Mapping[int, TrackedFrame], control: JobControl
-) -> dict[int, FrameAnnotation]:
+def _look(stretch: _Stretch, chosen: Mapping[int, TrackedFrame], control: JobControl) -> Found:
     """In a thread: what each frame is to hold, by index, of those where paint was seen."""
     found = {}
     with stretch.sequence.open_pictures() as pictures:
@@ -350,18 +430,52 @@ def _look(
                 picture = pictures(frame.number)
             except ImageError:
                 continue  # told when that frame is opened
-            annotation = _annotated(picture, stretch, stretch.frames[index].name, frame)
+            assert frame.fit is not None
+            annotation = _annotated(picture, stretch, stretch.frames[index].name, frame.fit)
             if annotation.annotated:
                 found[index] = annotation
     return found
 
 
 def _annotated(
-    picture: PixelArray, stretch: _Stretch, name: str, frame: TrackedFrame
+    picture: PixelArray, stretch: _Stretch | _Dataset, name: str, fit: FitResult
 ) -> FrameAnnotation:
-    """The elements whose paint is seen where the track shows them."""
-    assert frame.fit is not None
+    """The elements whose paint is seen where a camera shows them."""
     size, field = (picture.shape[1], picture.shape[0]), field_for_frame(stretch.field, name)
-    ghosts = find_ghosts(_NOTHING, field, frame.fit, without=stretch.not_visible(name))
+    ghosts = find_ghosts(_NOTHING, field, fit, without=stretch.not_visible(name))
     found = [find_points(ghost, picture, field, size) for ghost in ghosts]
     return accept_all(_NOTHING, found, stretch.least).annotation
+
+
+def _annotate_sure(dataset: _Dataset, control: JobControl) -> tuple[Found, Unsure]:
+    """In a thread: what each sure frame is to hold, and how sure the others are."""
+    index_of = {dataset.frames[index].name: index for index in dataset.indices}
+    asked = [dataset.frames[index] for index in dataset.indices if index not in dataset.tracked]
+    total = len(asked) + len(dataset.indices)
+    run, proposed = ProposalRun(asked, dataset.field, propose_camera), dict[str, Proposed]()
+    for one in run if asked else ():
+        proposed[one.name] = one
+        control.progress_or_stop(len(proposed), total)
+    if (more := second_pass(run, list(proposed.values()))) is not None:
+        for one in more.run:
+            proposed[one.name] = more.better(one)
+            control.raise_if_cancelled()
+    fits = dict(dataset.tracked)
+    unsure = Unsure()
+    for name, one in proposed.items():
+        if one.is_sure and one.proposal is not None:
+            fits[index_of[name]] = one.proposal.fit
+        else:
+            unsure[index_of[name]] = 0.0 if one.proposal is None else one.proposal.probability
+    found = Found()
+    for done, index in enumerate(sorted(fits.keys() & set(dataset.indices))):
+        control.progress_or_stop(len(asked) + done, total)
+        frame = dataset.frames[index]
+        try:
+            picture = decode_for_camera(frame.image_path)
+        except ImageError:
+            continue  # told when that frame is opened
+        annotation = _annotated(picture, dataset, frame.name, fits[index])
+        if annotation.annotated:
+            found[index] = annotation
+    return found, unsure
