@@ -189,7 +189,7 @@ class TestWhatWasLeft:
     def test_approved_in_the_panel_stays_when_a_line_was_under_way(self, window, hand):
         window.services.selection.select_class(MIDDLE)
         hand.click(100, 100)
-        window.review.approve.click()
+        window.actions_["approve"].trigger()
         window.services.navigator.go_to(1)
         assert window.services.review.status("frame_0") is Status.APPROVED
 
