@@ -131,8 +131,8 @@ class ReviewPanel(Panel):
             lines.append(
                 tr_count(
                     waiting,
-                    "to be confirmed (Shift+V): {n:,} copied element",
-                    "to be confirmed (Shift+V): {n:,} copied elements",
+                    "to be confirmed (Shift+V): {n:,} element",
+                    "to be confirmed (Shift+V): {n:,} elements",
                 )
             )
         self.origins.setText("<br>".join(lines))
