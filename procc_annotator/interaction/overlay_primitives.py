@@ -306,6 +306,7 @@ class Labels:
     ``sign`` is a finding's severity: its sign goes before each text (or stands alone before "");
     ``below``: on the other side of their points than texts usually are. ``hand``: what stands
     next to the text at the cursor. ``carried``: at the cursor; others need not give way.
+    ``covered``: places of the view, device px, that hold no text.
     """
 
     positions: FloatArray
@@ -315,6 +316,7 @@ class Labels:
     below: bool = False
     hand: CursorSigns | None = None
     carried: bool = False
+    covered: tuple[Box, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

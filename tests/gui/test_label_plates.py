@@ -32,10 +32,12 @@ def test_none_covers_another_and_all_are_in_sight(qapp):
 def test_signs_give_way_to_signs_and_a_text_without_room_is_left_out(qapp):
     signs = Labels(AT[:3], ("off",) * 3, "#fff", sign="error")
     distances = Labels(np.repeat(AT[:1], 60, axis=0), tuple(map(str, range(60))), "#fff")
-    small = (250.0, 150.0, 350.0, 250.0)
-    plates = arranged((distances, signs), (1.0, 0.0, 0.0), small)
+    small, legend = (250.0, 150.0, 350.0, 250.0), (250.0, 230.0, 350.0, 250.0)
+    clear = Labels(AT[:0], (), "", covered=(legend,))
+    plates = arranged((distances, signs, clear), (1.0, 0.0, 0.0), small)
+    assert not any(cover(plate, Plate(clear, 0, legend)) for plate in plates)
     assert [plate.text for plate in plates[:3]] == ["off"] * 3
-    assert 10 < len(plates) < 63
+    assert 5 < len(plates) < 63
     assert not any(cover(a, b) for a, b in combinations(plates, 2))
 
 

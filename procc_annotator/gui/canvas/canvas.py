@@ -61,6 +61,7 @@ class Canvas(PictureView):
         self.found_plate = FoundPlate(services, self)
         self.blind_frame = BlindFrame(services, self)
         self.legend = CornerLegend(services, self, self.comparison)
+        self.legend.stood.connect(self.overlay_item.keep_clear)
         self.camera_drag = CameraDrag(services, self, self.editor)
         self.drawing = OverlayDrawing(
             services,

@@ -117,7 +117,7 @@ def arranged(
                 size = _size(labels, labels.texts[row], letter, unit, times)
                 box = place_label(point, size, seen, unit, below=labels.below)
                 found.append(Plate(labels, row, _box(box)))
-    shown, taken = list[Plate](), list[Box]()
+    shown, taken = list[Plate](), [place for labels in groups for place in labels.covered]
     for plate in sorted(found, key=lambda plate: not plate.labels.sign):
         if plate.labels.carried:
             shown.append(plate)

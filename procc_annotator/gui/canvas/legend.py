@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Slot
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Signal, Slot
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
@@ -29,6 +29,8 @@ _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 class CornerLegend(ViewportOverlay):
     """Explains what is over the picture at its lower right corner, and nothing else."""
+
+    stood = Signal(list)  # where it and what stands beneath it are, viewport px
 
     def __init__(self, services: Services, view: PictureView, comparison: OtherSources) -> None:
         super().__init__(view.viewport(), "cornerLegend")
@@ -138,6 +140,8 @@ class CornerLegend(ViewportOverlay):
             if not other.isHidden() and other.geometry().intersects(place):
                 place.moveBottom(other.geometry().top() - _EDGE // 2)
         self.put(place)
+        shown = [other.geometry() for other in self._beneath() if not other.isHidden()]
+        self.stood.emit([*shown, place] if self.entries else shown)
 
     def _beneath(self) -> list[QWidget]:
         """Return what stands at the lower edge, too, and stays there."""

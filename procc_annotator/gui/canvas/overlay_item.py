@@ -10,7 +10,7 @@ from itertools import chain, repeat, zip_longest
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
+from PySide6.QtCore import QPointF, QRect, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QPainter, QPixmap, QTransform
 from PySide6.QtWidgets import QGraphicsItem, QStyleOptionGraphicsItem, QWidget
 
@@ -163,6 +163,7 @@ class OverlayItem(QGraphicsItem):
         self.wireframes = EMPTY_OVERLAY  # over the overlay's lines, under marks and gestures
         self.ghosts = EMPTY_OVERLAY  # below everything
         self.gesture = EMPTY_OVERLAY  # above everything; what is below rarely changes meanwhile
+        self._clear = Labels(_NO_PLACES, (), "")
         self._layers: tuple[Overlay, ...] | None = None
         self._still_ghosts = StillOverlay()
         self._still = StillOverlay()
@@ -188,9 +189,8 @@ class OverlayItem(QGraphicsItem):
         if overlay is self.overlay:
             return
         changed = changed_areas(self.overlay, overlay, scale)
-        changed += self._given_way(overlay, self.ghosts)
-        self.overlay, self._layers = overlay, None
-        self._update_areas(changed)
+        before, self.overlay, self._layers = self._texts, overlay, None
+        self._update_areas(changed + self._given_way(before))
 
     def _update_areas(self, areas: list[QRectF]) -> None:
         scene = self.scene()
@@ -208,10 +208,16 @@ class OverlayItem(QGraphicsItem):
         """Show what is expected of elements not annotated yet; ``scale`` as for `set_overlay`."""
         if ghosts is not self.ghosts:
             area = _whole_area(self.ghosts, scale) | _whole_area(ghosts, scale)
-            areas = [area, *self._given_way(self.overlay, ghosts)]
-            self.ghosts, self._layers = ghosts, None
-            for changed in areas:
-                self.update(changed & self._area)
+            before, self.ghosts, self._layers = self._texts, ghosts, None
+            self.update(area & self._area)
+            self._update_areas(self._given_way(before))
+
+    def keep_clear(self, places: Sequence[QRect]) -> None:
+        """Keep places of the viewport free of texts."""
+        boxes = tuple((p.x(), p.y(), p.x() + p.width(), p.y() + p.height()) for p in places)
+        if boxes != self._clear.covered:
+            before, self._clear = self._texts, Labels(_NO_PLACES, (), "", covered=boxes)
+            self._update_areas(self._given_way(before))
 
     def set_gesture(self, gesture: Overlay, scale: float) -> None:
         """Show what the mouse drags or draws, or nothing; ``scale`` as for `set_overlay`."""
@@ -242,12 +248,11 @@ class OverlayItem(QGraphicsItem):
     @property
     def _texts(self) -> tuple[Labels, ...]:
         """Return the texts that give way to each other."""
-        return (*self.ghosts.labels, *self.overlay.labels)
+        return (*self.ghosts.labels, *self.overlay.labels, self._clear)
 
-    def _given_way(self, overlay: Overlay, ghosts: Overlay) -> list[QRectF]:
-        """Return where texts go that stay what they are, and come to, with another overlay or
-        other ghosts."""
-        seen, before, after = self._painted_at, self._texts, (*ghosts.labels, *overlay.labels)
+    def _given_way(self, before: tuple[Labels, ...]) -> list[QRectF]:
+        """Return where texts go that stay what they are, and come to, as others came or went."""
+        seen, after = self._painted_at, self._texts
         if seen is None or before == after:
             return []
         return seen.areas_of(seen.beside_points(before) ^ seen.beside_points(after))

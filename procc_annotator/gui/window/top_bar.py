@@ -6,7 +6,6 @@ from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import (
     QAction,
     QColor,
-    QKeySequence,
     QPainter,
     QPaintEvent,
     QPalette,
@@ -229,17 +228,17 @@ class WordsButton(QToolButton):
         is always room for ``least`` letters."""
         super().__init__()
         self._icon, self._elide, self._least = icon, elide, least
-        self._words = self._key = ""
+        self._words = ""
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
 
     def words(self) -> str:
         """All of them."""
         return self._words
 
-    def set_words(self, words: str, key: str = "") -> None:
-        """Show other words, and a key at the right end."""
-        if (words, key) != (self._words, self._key):
-            self._words, self._key = words, key
+    def set_words(self, words: str) -> None:
+        """Show other words."""
+        if words != self._words:
+            self._words = words
             self.setAccessibleName(words)
             self.updateGeometry()
             self.update()
@@ -248,8 +247,7 @@ class WordsButton(QToolButton):
         metrics = self.fontMetrics()
         words = metrics.horizontalAdvance(self._words)
         most = _WIDEST_CHIP * metrics.averageCharWidth()
-        key = metrics.horizontalAdvance(f"   {self._key}") if self._key else 0
-        width = self._beside() + min(words, most) + key
+        width = self._beside() + min(words, most)
         return QSize(width + 2, metrics.height() + 2 * _PAD)
 
     def minimumSizeHint(self) -> QSize:
@@ -276,11 +274,6 @@ class WordsButton(QToolButton):
         paint_icon(painter, self._icon, box, ink)
         room = self.rect().adjusted(2 * _PAD + side, 0, -_PAD - self._arrow(), 0)
         middle = Qt.AlignmentFlag.AlignVCenter
-        key = metrics.horizontalAdvance(f"   {self._key}") if self._key else 0
-        if key and room.width() >= metrics.horizontalAdvance(self._words) + key:
-            painter.setPen(colours.color(colours.ColorRole.PlaceholderText))
-            painter.drawText(room, middle | Qt.AlignmentFlag.AlignRight, self._key)
-            room.setRight(room.right() - key)
         painter.setPen(ink)
         shown = metrics.elidedText(self._words, self._elide, max(0, room.width()))
         painter.drawText(room, middle | Qt.AlignmentFlag.AlignLeft, shown)
@@ -347,13 +340,7 @@ class TopBar(QWidget):
         search = WordsButton("find", Qt.TextElideMode.ElideRight, 0)
         named(search, "searchButton", tip=action.toolTip())
         search.clicked.connect(action.trigger)
-
-        def show() -> None:
-            keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
-            search.set_words(tr("Find anything"), keys)
-
-        action.changed.connect(show)
-        show()
+        search.set_words(tr("Find anything"))
         return search
 
     def resizeEvent(self, event: QResizeEvent) -> None:
