@@ -116,6 +116,7 @@ def test_a_click_beside_the_picture_leaves_it_the_keys(audited, qtbot):
 @pytest.mark.parametrize("name", ["frames_list", "elements_tree", "field_map_panel", "top_next"])
 def test_keys_of_the_picture_work_in_a_list_and_escape_comes_back(begun, qtbot, name):
     """Wherever F6 and Tab brought the keyboard."""
+    begun.panels.show("frames")  # the list in the place of the strip
     widget = begun.findChild(QWidget, name)
     qtbot.waitUntil(widget.isVisible)
     services = begun.services
