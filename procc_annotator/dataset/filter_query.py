@@ -41,7 +41,7 @@ QUERY_HELP = (
     ("n:<5", "number of annotated elements"),
     ("comments:open", "comments that are open; comments:none, comments:>2"),
     ("comment:blurred", "a comment contains it"),
-    ("verdict:camera", "camera fault under any source; verdict:annotation, fine, none"),
+    ("verdict:camera", "camera wrong under any source; verdict:annotation, fine, none"),
     ("check:error", "errors of the label check; check:warning, hint, none, unchecked"),
     ("camera:unreadable", "the active source's camera cannot be read; camera:none"),
     ("is:unsaved", "also is:unreadable, is:unconfirmed"),

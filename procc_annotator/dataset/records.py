@@ -186,9 +186,9 @@ class FaultParty(StrEnum):
 _BY_NAME = "name"  # no format is called so
 
 FAULT_WORDS: dict[FaultParty, str] = {
-    FaultParty.CAMERA: word("camera fault", "a verdict"),
-    FaultParty.ANNOTATION: word("annotation fault", "a verdict"),
-    FaultParty.FINE: word("fine", "a verdict"),
+    FaultParty.CAMERA: word("camera wrong", "a verdict"),
+    FaultParty.ANNOTATION: word("labels wrong", "a verdict"),
+    FaultParty.FINE: word("OK", "a verdict"),
 }
 
 

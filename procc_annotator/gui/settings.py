@@ -195,19 +195,18 @@ _FIT = word("Fit and ghosts")
 GEOMETRY = Setting("geometry", BYTES, QByteArray(), "Where the window is and how large")
 LAYOUT = Setting("state", BYTES, QByteArray(), "How the panels are arranged")
 DESKS = Setting("desks", ENTRIES, {}, "How the panels of each kind of work are arranged")
-THEME = Setting("theme", _one_of(*THEMES), "system", "Light, dark, or as the system has it",
-                shown=Shown("Appearance", "Theme", (("system", "As the system"),
+THEME = Setting("theme", _one_of(*THEMES), "system", "Light, dark or system",
+                shown=Shown("Appearance", "Theme", (("system", "System"),
                                                     ("light", "Light"), ("dark", "Dark"))))
 FONT_PERCENT = Setting("font_percent", NUMBER, 100.0,
-                       "How large texts are, of what the system says; from the next start"
-                       " on", shown=Shown("Appearance", "Size of texts", limits=(75, 200, 25),
-                                          unit=" %"))
+                       "Text size, % of system (after restart)",
+                       shown=Shown("Appearance", "Text size", limits=(75, 200, 25), unit=" %"))
 LANGUAGE = Setting("language", _one_of(SYSTEM, *LANGUAGES), SYSTEM,
-                   "The language of the window; from the next start on. Files stay as they are",
+                   "Language of the window (after restart); files stay as they are",
                    shown=Shown("Appearance", "Language",
-                               ((SYSTEM, "As the system"), *LANGUAGES.items())))
-AUTHOR = Setting("author", TEXT, "", "Whose name points, comments and versions bear; empty: that of"
-                 " the system's user", shown=Shown("Annotating", "Your name"))
+                               ((SYSTEM, "System"), *LANGUAGES.items())))
+AUTHOR = Setting("author", TEXT, "", "Author name (empty = login name)",
+                 shown=Shown("Annotating", "Author name"))
 TAU = Setting("tau", NUMBER, DEFAULT_TAU, "How far an annotated point may be from its element,"
               " px of the evaluation size",
               shown=Shown("Judging", "Threshold", limits=(MIN_TAU, MAX_TAU, 0.5), unit=" px"))

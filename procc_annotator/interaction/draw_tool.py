@@ -114,7 +114,7 @@ class DrawTool:
 
     def key(self, name: str, context: ToolContext, *, shift: bool = False) -> Reaction:
         """Enter finishes (with Shift: and stays with this element) or confirms an unconfirmed
-        element, Backspace takes back the last point, Escape cancels, then deselects."""
+        element, Backspace removes the last point, Escape cancels, then deselects."""
         if not self.busy:
             if context.selected_class is None:
                 return IGNORED

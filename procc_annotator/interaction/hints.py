@@ -37,7 +37,7 @@ class GhostHint:
 SEPARATOR = "  •  "
 KEYS = "    |    "  # before the second part
 _MOST_KEYS = 4
-_NAMED_AFTER = word("click begins a line that is named after")
+_NAMED_AFTER = word("click to draw; choose its class afterwards")
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +97,7 @@ def status_hint(
         return join_hint((tr("READ ONLY"), blocked, _ghost_title(ghosts, field)), keys)
     if ghosts.current is not None and not draw.busy and not edit.busy:
         by_hand = mode == "draw"
-        click = tr("click begins it by hand") if by_hand else _click_words(context, field, over)
+        click = tr("click draws it by hand") if by_hand else _click_words(context, field, over)
         words = _ghost_words(ghosts, _ghost_title(ghosts, field), click)
     else:
         words = (
@@ -142,7 +142,7 @@ def _ghost_words(ghosts: GhostHint, title: str, click: str) -> _HintText:
     elif ghosts.points:
         enter = tr_count(ghosts.points, "Enter accepts {n} point", "Enter accepts {n} points")
     else:
-        enter = tr("Enter does nothing: no line is found along it")
+        enter = tr("no line found along it")
     answers = (enter, tr("Tab goes on"), tr(". not visible here"), tr("Esc goes back"))
     return _HintText(title, click, answers)
 
@@ -166,7 +166,7 @@ def _drawing_words(
     count, stay = len(draw.points), tuple[str, ...]()
     if draw.unnamed:
         tool = tr_count(count, "DRAW a line, {n} point", "DRAW a line, {n} points")
-        enter = tr("Enter or double-click finishes and asks its name")
+        enter = tr("Enter or double-click finishes, then choose the class")
         stay = (tr("an element's key names it"),)
     else:
         title = _title(draw.class_name or "", field)
@@ -178,7 +178,7 @@ def _drawing_words(
             stay = (tr("Shift+Enter finishes and stays"),)
     last = draw.is_last_click(context)
     click = tr("click adds the second point and finishes") if last else tr("click adds a point")
-    back = tr("Backspace takes back the last point")
+    back = tr("Backspace removes the last point")
     return _HintText(tool, click, (enter, tr("Esc cancels")), (*stay, back, *_snap_words(context)))
 
 
@@ -205,7 +205,7 @@ def _chosen_words(
             "click continues it after its {n} points",
         )
         if count
-        else tr("click begins it")
+        else tr("click starts it")
     )
     return _HintText(tool, click, answers, (*more, *_snap_words(context)))
 
@@ -219,7 +219,7 @@ def _placing_words(following: str | None, *, placed: bool) -> str:
 
 
 def _snap_words(context: ToolContext) -> tuple[str, ...]:
-    return (tr("hold Ctrl to click off the line"),) if context.snap is not None else ()
+    return (tr("hold Ctrl: no snapping"),) if context.snap is not None else ()
 
 
 def _edit_words(edit: EditTool, context: ToolContext, field: Field, over: Hit | None) -> _HintText:
@@ -230,7 +230,7 @@ def _edit_words(edit: EditTool, context: ToolContext, field: Field, over: Hit | 
     if selected is not None and context.is_unconfirmed(selected):
         enter = tr("Enter confirms {title}", title=_title(selected, field))
     if count := len(context.chosen_points):
-        lets_go = tr_count(count, "Esc lets go of the point", "Esc lets go of {n} points")
+        lets_go = tr_count(count, "Esc deselects the point", "Esc deselects {n} points")
         return _HintText(tr("EDIT"), click, (enter, lets_go), _point_words(context))
     if selected is None:
         return _HintText(tr("EDIT"), click)
@@ -244,8 +244,8 @@ def _held_words(edit: EditTool, context: ToolContext, field: Field) -> _HintText
     back = (tr("Esc puts it back"),)
     drops = tr("release drops it here")
     if edit.held == "frame":
-        chooses = tr("release chooses all points inside")
-        return _HintText(tr("EDIT choosing points"), chooses, (tr("Esc gives up"),))
+        chooses = tr("release selects all points inside")
+        return _HintText(tr("EDIT choosing points"), chooses, (tr("Esc cancels"),))
     if edit.held == "points":
         count = len(context.chosen_points)
         return _HintText(tr_count(count, "EDIT {n} point", "EDIT {n} points"), drops, back)
@@ -253,7 +253,7 @@ def _held_words(edit: EditTool, context: ToolContext, field: Field) -> _HintText
         name, index = edit.grabbed
         point = tr("EDIT point {number} of {title}", number=index + 1, title=_title(name, field))
         if edit.inserting:
-            back = (tr("Esc takes the new point away"),)
+            back = (tr("Esc removes the new point"),)
         return _HintText(point, drops, back)
     if edit.held == "pinned":
         selects = tr("release selects the element, which is pinned")
@@ -274,8 +274,8 @@ def _click_words(context: ToolContext, field: Field, over: Hit | None) -> str:
     if not context.annotation.annotated and not context.annotation.unconfirmed:
         return tr("click does nothing: there are no points to edit, draw an element first")
     if context.chosen_points:
-        return tr("click a point to drag it, next to it to deselect")
-    return tr("click or drag a point, drag on empty ground to choose several")
+        return tr("click a point to drag it, elsewhere to deselect")
+    return tr("click or drag a point, drag elsewhere to select several")
 
 
 def _point_words(context: ToolContext) -> tuple[str, ...]:

@@ -104,7 +104,7 @@ def test_bent_paint_under_two_clicks_is_told_at_once_and_r_mends_it(bent, hand_o
         return [f.finding.rule for f in services.label_check.shown]
 
     qtbot.waitUntil(lambda: Rule.BESIDE_PAINT in found())
-    assert any("(R)" in text and "5 px" in text for text in told)
+    assert any("Press R" in text and "5 px" in text for text in told)
     assert BENT in {notice.key for notice in services.state.notices}
     services.selection.select_class("Side line top")
     hand.key(Qt.Key.Key_R)

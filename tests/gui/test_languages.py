@@ -231,7 +231,7 @@ def test_nor_is_one_of_ghosts_findings_and_a_second_annotator(
 _GERMAN = {
     "Blind mode": "Blindmodus",
     "Halfway line": "Mittellinie",
-    "Size of texts": "Textgröße",
+    "Text size": "Textgröße",
     "Hold X": "X halten",
 }
 

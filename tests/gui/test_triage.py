@@ -320,7 +320,7 @@ class TestStatusLine:
 
     def test_what_was_said_of_a_frame_goes_with_it(self, window, qtbot):
         press(window, Qt.Key.Key_F7)
-        assert "00001: camera fault" in self.told(window)
+        assert "00001: camera wrong" in self.told(window)
         all_done(qtbot)
         press(window, Qt.Key.Key_D)
         assert window.services.state.frame.name == "00002"

@@ -129,8 +129,8 @@ def few_points_finding(clicked: AnnotatedElement) -> Finding | None:
     if count < _ELLIPSE_POINTS:
         reason = translatable_count(
             count,
-            "{title} has {n} point; fewer than {least} determine no ellipse",
-            "{title} has {n} points; fewer than {least} determine no ellipse",
+            "{title} has {n} point: {least} points needed for a curve",
+            "{title} has {n} points: {least} points needed for a curve",
             title=clicked.title,
             least=_ELLIPSE_POINTS,
         )

@@ -185,7 +185,7 @@ _MIN_DISPLACED_SHARE, _END_SHARE = 0.25, 0.7
 _DISPLACED_END_PX, _ALIGNED_PX, _LINE_RESIDUAL_PX = 2.5, 1.2, 0.9
 _MIN_PLACES, _SEEN_SPACING_PX = 3, 1.2
 _DISPLACED_CLICK_PX = 3.0  # at 960 px width
-_FOLLOW_LINE_REMEDY = Remedy(RemedyKind.FOLLOW, translatable("put its points along the paint"))
+_FOLLOW_LINE_REMEDY = Remedy(RemedyKind.FOLLOW, translatable("move its points onto the line"))
 
 
 def line_evidence_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> Iterator[Finding]:
@@ -216,8 +216,7 @@ def _displaced_finding(one: AnnotatedElement, seen: LineEvidence) -> Finding | N
     """Paint that is seen, but next to the element or next to one of its ends."""
     if bent := _line_bend_px(one, seen):
         reason = translatable(
-            "{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it:"
-            " regularise it (R)",
+            "{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it",
             title=one.title,
             px=bent,
         )
@@ -229,8 +228,7 @@ def _displaced_finding(one: AnnotatedElement, seen: LineEvidence) -> Finding | N
     if (end := _displaced_end(one, seen)) is not None:
         which, off_px = end
         reason = translatable(
-            "an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way"
-            " there: put that point on it",
+            "one end of {title} is {px:.0f} px off the line. Move it onto the paint",
             title=one.title,
             px=off_px,
         )
@@ -248,7 +246,8 @@ def _no_line_finding(
         is_sure = share >= _ERROR_MISSING_SHARE and _missing_px(seen) >= _MIN_MISSING_PX
         severity = Severity.WARNING if is_sure else Severity.HINT
         reason = translatable(
-            "no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end",
+            "{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends?"
+            " Press R",
             title=one.title,
             percent=100 * share,
             px=length,
@@ -256,7 +255,7 @@ def _no_line_finding(
         return Finding(Rule.NO_PAINT, severity, (one.name,), reason, (LOOK,))
     if (end := _end_without_line(one, seen)) is not None:
         reason = translatable(
-            "no paint under {title} towards one of its ends, under all the rest there is",
+            "one end of {title} is not on paint",
             title=one.title,
         )
         point = one.indices[end]

@@ -306,9 +306,9 @@ def displaced_elements_text(
     name, px = translatable(painted.titles[number]), beside[number] / frame.scale
     more = len(beside) - 1
     if not more:
-        return translatable("{name} lies {px:.0f} px beside its paint", name=name, px=px)
+        return translatable("{name} is {px:.0f} px off its line", name=name, px=px)
     return translatable(
-        "{name} lies {px:.0f} px beside its paint, as {more} more do theirs",
+        "{name} is {px:.0f} px off its line, and {more} more are off theirs",
         name=name,
         px=px,
         more=more,

@@ -124,14 +124,14 @@ def probability_right(evidence: ProposalEvidence) -> float:
 def main_doubt(evidence: ProposalEvidence) -> str:
     """What lowers the probability most, in words."""
     texts = {
-        "coverage": translatable("lines are missing that should be in sight"),
-        "explained": translatable("there is paint where the field has none"),
+        "coverage": translatable("expected lines are missing"),
+        "explained": translatable("some lines in the picture do not match the field"),
         "margin": rival_camera_reason(),
-        "length": translatable("too few lines are in sight to tell"),
-        "elements": translatable("too few lines are in sight to tell"),
+        "length": translatable("too few lines in view"),
+        "elements": translatable("too few lines in view"),
         "support": rival_camera_reason(),
-        "placement": translatable("cameras hardly stand there"),
-        "determined": translatable("the lines in sight leave the camera open"),
+        "placement": translatable("unusual camera position"),
+        "determined": translatable("the visible lines do not determine the camera"),
         "displaced": evidence.displaced,
     }
     return texts[FEATURES[int(logistic_model().losses(evidence.features).argmax())]]
@@ -139,4 +139,4 @@ def main_doubt(evidence: ProposalEvidence) -> str:
 
 def rival_camera_reason() -> str:
     """The reason for a camera that is not sure because of another one."""
-    return translatable("another camera that shows other lines suits the picture nearly as well")
+    return translatable("a different view fits almost as well")

@@ -52,25 +52,20 @@ def classify_proposal(
     """Return whether a camera is sure, unsure or none, why, in a sentence, and the probability that
     it is right."""
     shares = translatable(
-        "{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the"
-        " paint on the field",
+        "{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched",
         lines=100 * seen.coverage,
         paint=100 * seen.explained,
     )
     on_lines = probability_right(seen)
     if on_lines < POSSIBLE_FROM:
-        why = translatable(
-            "no camera suits the paint in this picture: of the best one {shares}", shares=shares
-        )
+        why = translatable("no camera fits the lines (best: {shares})", shares=shares)
         return NONE, why, on_lines
     probability = on_lines * pixels.probability
     if probability >= sure_from:
         return SURE, shares, probability
     doubt = main_doubt(seen)
     if on_lines >= sure_from:
-        doubt = translatable(
-            "the picture is nearly square, as a squeezed one is: its pixels may not be square"
-        )
+        doubt = translatable("the picture is nearly square: its pixels may not be")
     return UNSURE, translatable_joined("", (doubt, " (", shares, ")")), probability
 
 

@@ -375,7 +375,9 @@ class FoundPlate(NamePlate):
             return None
         why = proposal.reason
         if proposal.state == NONE:
-            return tr("No camera found: {why}", why=why), _GREY
+            return tr(
+                "No camera found: {why}. Draw 3 elements first, two of which meet", why=why
+            ), _GREY
         if proposal.state == SURE:
             return tr("Camera found, sure: {why}", why=why), tones.PASSES
         return tr("Camera found, unsure: {why}", why=why), tones.UNSURE_GHOST

@@ -141,8 +141,8 @@ class GhostAccepting(QObject):
         if not good:
             self._say(
                 tr(
-                    "no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts};"
-                    " Tab goes through them",
+                    "no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes"
+                    " through them",
                     least=least,
                     ghosts=why,
                 )
@@ -158,9 +158,7 @@ class GhostAccepting(QObject):
         share = tr(what)
         if left:
             share = tr("{n} of {total} ghosts", n=len(good), total=len(found))
-        too_little = tr(
-            "left, less than {least:.0%} of the line is seen: {ghosts}", least=least, ghosts=why
-        )
+        too_little = tr("skipped (under {least:.0%} visible): {ghosts}", least=least, ghosts=why)
         self._say_with_unsure(self._accepted_words(share), good, too_little if left else "")
         self.accepted.emit(tuple(f.name for f in good))
         return True

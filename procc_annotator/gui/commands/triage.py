@@ -92,7 +92,7 @@ class Triage(QObject):
         source, name = services.state.active, services.state.frame_name
         verdict = services.review.shown_verdict(name) if name is not None else None
         if name is None or source is None or verdict is None:
-            services.say(tr("mark the frame first: camera fault, annotation fault or fine"))
+            services.say(tr("mark the frame first: camera wrong, labels wrong or fine"))
             return
         text, given = QInputDialog.getText(
             self._window, tr("Note on the verdict"), tr("What is wrong here:"), text=verdict.comment

@@ -56,7 +56,7 @@ def frame_words(services: Services) -> str:
     found = bool(check.shown)
     limit = _limit(services, checked.failure)
     if limit:
-        nothing = tr("Nothing found by the rules that need no camera.")
+        nothing = tr("No problems so far.")
         return limit if found else f"{nothing}\n{limit}"
     ignored = check.known.ignored_here()
     if found:
@@ -77,11 +77,9 @@ def _limit(services: Services, failure: str) -> str:
         )
     checked = services.label_check.checked
     if checked is not None and not checked.fitted:
-        return tr("The live fit is off: only the rules that need no camera are checked.")
+        return tr("The live fit is off: the full check needs it.")
     if failure:
-        return tr(
-            "No camera fits yet ({why}): only the rules that need none are checked.", why=failure
-        )
+        return tr("Full check needs a camera: {why}.", why=failure)
     return ""
 
 

@@ -130,9 +130,9 @@ class ScoreTableModel(ElementRowsModel[ScoreRow]):
 
 
 _WORDS = {
-    FaultParty.CAMERA: word("Camera", "a verdict"),
-    FaultParty.ANNOTATION: word("Annotation", "a verdict"),
-    FaultParty.FINE: word("Fine", "a verdict"),
+    FaultParty.CAMERA: word("Camera wrong", "a verdict"),
+    FaultParty.ANNOTATION: word("Labels wrong", "a verdict"),
+    FaultParty.FINE: word("OK", "a verdict"),
 }
 _TIPS = {
     FaultParty.CAMERA: word("The active camera is wrong in this frame"),
@@ -150,7 +150,7 @@ class VerdictRow(QWidget):
         self._services = services
         self.buttons: dict[FaultParty, QToolButton] = {}
         tip = tr("What causes the score of this frame; saved with the dataset")
-        buttons = hbox(make_label(tr("Fault"), tip=tip), spacing=3)
+        buttons = hbox(make_label(tr("Verdict"), tip=tip), spacing=3)
         for fault in FaultParty:
             words = tr(_WORDS[fault], "a verdict")
             tip = tr(

@@ -1,4 +1,4 @@
-"""The command palette: a line to type in above the picture, what fits below it, Enter calls it."""
+"""The command palette: a line to type in above the picture, what fits below it, Enter runs it."""
 
 from __future__ import annotations
 
@@ -258,7 +258,7 @@ _ROWS = 12
 _PAD = 8
 _MARGIN = 24  # of the window that stays in sight around it
 _KIND, _TITLE, _DETAIL, _KEYS = range(4)
-_HINT = word("Enter calls it · ↑ ↓ choose · Esc closes")
+_HINT = word("Enter runs it · ↑ ↓ choose · Esc closes")
 _MOVES = {
     Qt.Key.Key_Up: -1,
     Qt.Key.Key_Down: 1,

@@ -140,7 +140,7 @@ class KeyTable(QTableView):
 
 
 class KeySheet(QDialog):
-    """All keys, with a search; a click on a row or Enter calls it, Esc closes the dialog."""
+    """All keys, with a search; a click on a row or Enter runs it, Esc closes the dialog."""
 
     def __init__(
         self,
@@ -243,7 +243,7 @@ class KeymapDialog(QDialog):
         self.add = make_button(tr("Add"), lambda: self._give((*self._row_keys(), self._typed())))
         self.only = make_button(tr("Only these"), lambda: self._give((self._typed(),)))
         self.none = make_button(tr("No keys"), lambda: self._give(()))
-        self.usual = make_button(tr("Usual keys"), self._give_usual)
+        self.usual = make_button(tr("Default keys"), self._give_usual)
         buttons = (self.add, self.only, self.none, self.usual)
         return hbox((self.chosen, 1), self.pressed, *buttons)
 

@@ -326,7 +326,7 @@ class SettingsDialog(QDialog):
     def _make_buttons(self, change_keys: Callable[[], object]) -> QDialogButtonBox:
         box = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         reset = QDialogButtonBox.ButtonRole.ResetRole
-        self.all_back = make_button(tr("All to their defaults"), self._take_all_back)
+        self.all_back = make_button(tr("Reset all"), self._take_all_back)
         for button in (self.all_back, make_button(tr("Change keys…"), change_keys)):
             box.addButton(button, reset)
         for made in box.findChildren(QPushButton):

@@ -620,7 +620,7 @@ def test_the_panel_says_why_it_is_empty(services, panel, qtbot):
     services.editing.undo()
     two = FrameAnnotation(services.state.annotation.polylines[:2])
     services.editing.commit_edit("two", two)
-    says("No camera fits yet")
+    says("Full check needs a camera")
     services.editing.undo()
     panel.scope.setCurrentIndex(1)
     says("not checked yet")

@@ -137,7 +137,7 @@ def test_a_line_that_lies_beside_its_paint_is_named(metres):
     assert not displaced_elements_in_image(picture, VECTOR, marking_points(FIELD), FRAME)
     said = displaced_elements_in_image(picture, VECTOR, marking_points(moved), FRAME)
     assert said.startswith("Right penalty front lies ")
-    assert said.endswith(" px beside its paint")
+    assert said.endswith(" px off its line")
 
 
 def test_a_line_that_is_not_painted_lies_beside_nothing():

@@ -87,7 +87,7 @@ def test_finds_the_camera_of_a_drawn_picture():
     assert _worst_px(camera, found.fit.camera) < 4
     assert found.coverage > 0.85
     assert found.explained > 0.85
-    assert "lie on paint" in found.reason
+    assert "of expected lines found" in found.reason
 
 
 def test_a_squeezed_picture_has_a_camera_with_wide_pixels():
@@ -119,7 +119,7 @@ SEEN = ProposalEvidence(0.95, 0.95, 0.2, 2500.0, 9, 0.3, 0.5, 1.0)
         {"elements": 3},
         {"support": 0.02},
         {"sd_px": 5.0},
-        {"displaced": "Side line top lies 9 px beside its paint"},
+        {"displaced": "Side line top is 9 px off its line"},
     ],
 )
 def test_what_speaks_against_a_camera_makes_it_less_probable(worse):
