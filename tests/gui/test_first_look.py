@@ -57,8 +57,10 @@ def test_half_its_size_is_shown_first_in_the_same_place(window, qtbot):
     assert window.canvas.sceneRect() == place
     whole = shown(window)
     assert np.abs(first - whole).mean() < 2
-    left = [int(row[:, 1].argmax()) for row in (first[360], whole[360])]
-    assert abs(left[0] - left[1]) <= 2
+    # Where the line is brightest hangs on how it is sampled, its middle does not.
+    bright = [np.clip(row[:, 0] - 100, 0, None) for row in (first[360], whole[360])]
+    middles = [np.average(np.arange(len(row)), weights=row) for row in bright]
+    assert abs(middles[0] - middles[1]) < 1
 
 
 def test_who_walks_on_before_it_is_painted_spares_the_whole_one(window, qtbot, monkeypatch):
