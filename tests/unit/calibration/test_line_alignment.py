@@ -136,7 +136,7 @@ def test_a_line_that_lies_beside_its_paint_is_named(metres):
     picture, moved = draw(TRUE), _with_a_line_elsewhere("Big rect. right main", metres)
     assert not displaced_elements_in_image(picture, VECTOR, marking_points(FIELD), FRAME)
     said = displaced_elements_in_image(picture, VECTOR, marking_points(moved), FRAME)
-    assert said.startswith("Right penalty front lies ")
+    assert said.startswith("Right penalty front is ")
     assert said.endswith(" px off its line")
 
 

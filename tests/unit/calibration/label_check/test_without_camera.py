@@ -283,7 +283,7 @@ def test_a_crossbar_on_spectators_is_found_with_share_and_length(field):
     (told,) = found(field, {NAMES[0]: crowd, NAMES[1]: GOOD, NAMES[2]: GOOD})
     assert told[:2] == (Rule.NO_PAINT, Severity.WARNING)
     assert "100 % of Left crossbar" in told[2]
-    assert "200 px on end" in told[2]
+    assert "longest gap 200 px" in told[2]
     half = seen(*[0.2] * 5, *[NAN] * 7)
     (told,) = found(field, {NAMES[0]: half, NAMES[1]: GOOD, NAMES[2]: GOOD})
     assert told[:2] == (Rule.NO_PAINT, Severity.HINT)
