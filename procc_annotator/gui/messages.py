@@ -127,7 +127,11 @@ class Bar(QWidget):
 
 
 _USUAL_REMEDY = word("Choose another place…")
-_REMEDIES = {"save_copies": word("Save copies to…"), "copy_error": word("Copy details")}
+_REMEDIES = {
+    "save_copies": word("Save copies to…"),
+    "copy_error": word("Copy details"),
+    "next_doubtful": word("Show the next"),
+}
 
 
 class MessageBar(Bar):

@@ -164,7 +164,8 @@ class TestAFrameWithoutAnnotation:
         all_done(qtbot)
 
         assert ghosts(window) == []
-        assert window.canvas.found_plate.text == f"No camera found: {finder.reason}"
+        first = "Draw 3 elements first, two of which meet"
+        assert window.canvas.found_plate.text == f"No camera found: {finder.reason}. {first}"
 
     def test_every_frame_is_looked_at_once_and_its_neighbours_before_they_are_come_to(
         self, window, finder, qtbot

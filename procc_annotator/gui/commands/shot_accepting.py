@@ -351,7 +351,7 @@ class StretchAccepting(QObject):
         back = tr("Ctrl+Z takes them back")
         level: Level = "warning" if self.unsure else "info"
         remedy = "next_doubtful" if self.unsure else ""
-        services.say("; ".join((words, *_why(outcome), *self._left(), back)), level, remedy)
+        services.say("; ".join((words, *_why(outcome), back, *self._left())), level, remedy)
         self.changed.emit()
 
     def _left(self) -> list[str]:
