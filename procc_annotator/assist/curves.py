@@ -95,7 +95,7 @@ class Curve:
         if known.sum() < max(4, terms):
             return None
         basis = self._basis(parameters)
-        coefficients, kept = _robust_fit(basis[known], offsets[known])
+        coefficients, kept = robust_fit(basis[known], offsets[known])
         if kept.sum() < max(4, terms - 1):
             return None
         return Curve(self.course, coefficients, self.closed)
@@ -300,7 +300,7 @@ def _elliptic_arc(clicked: FloatArray) -> tuple[FloatArray, bool] | None:
     return ellipse.arc(clicked)
 
 
-def _robust_fit(basis: FloatArray, values: FloatArray) -> tuple[FloatArray, BoolArray]:
+def robust_fit(basis: FloatArray, values: FloatArray) -> tuple[FloatArray, BoolArray]:
     """Coefficients that most values agree on, and which values do (within `_INLIER_PX`).
 
     Iteratively reweighted least squares with Cauchy weights that get narrower; the low terms are

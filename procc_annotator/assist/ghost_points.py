@@ -12,7 +12,7 @@ from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_f
 from procc_annotator.assist.curves import regular_parameters
 from procc_annotator.assist.ghost_ends import locate_line_ends, reach_of
 from procc_annotator.assist.line_evidence import ExpectedLines
-from procc_annotator.assist.visible_line import Runs, VisibleLine, find_line
+from procc_annotator.assist.visible_line import VisibleLine, find_line
 from procc_annotator.calibration.prediction.ghosts import Ghost, GhostPiece
 from procc_annotator.field.model import ANY, EDGE, LINE, Field
 from procc_annotator.image.pixels import PixelArray
@@ -23,6 +23,7 @@ _FEWEST_POINTS = 2
 _FEWEST_CURVE_POINTS = 5  # which determine an ellipse
 _MOSTLY_SEEN = 0.5  # of a line as its paint: it is no edge between two areas
 _ONE_PLACE_PX = 3.0
+_SMALL_GAP = 1 / 80  # of the width, as points of a curve are apart at least
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,8 +132,13 @@ def _regular(
     curve is sampled from end to end of each stretch, so that its bends are kept."""
     if not line.runs:
         return []
-    stretches: Runs = line.runs if curved else ((line.runs[0][0], line.runs[-1][1]),)
-    least = math.ceil((_FEWEST_CURVE_POINTS - 1) / len(line.runs)) if curved else 1
+    closes = _SMALL_GAP * size[0] if curved else math.inf
+    stretches = [line.runs[0]]
+    for first, past in line.runs[1:]:
+        if first - stretches[-1][1] <= closes:
+            first = stretches.pop()[0]
+        stretches.append((first, past))
+    least = math.ceil((_FEWEST_CURVE_POINTS - 1) / len(stretches)) if curved else 1
     parts = [
         regular_parameters(
             np.arange(first, past, dtype=np.float64),

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from procc_annotator.arrays import BoolArray, FloatArray, IntArray, true_runs
+from procc_annotator.assist.curves import robust_fit
 from procc_annotator.field.model import EDGE
 from procc_annotator.image.line_offsets import offsets_along_curve
 from procc_annotator.image.line_profiles import (
@@ -304,8 +305,9 @@ _LEAST_REACH_PX = 2.0
 _REACH_SD = 3.0  # standard deviations: 99.7 %
 _STEADY_PX = 3  # over so many pixels to either side a line's direction is taken
 _SNAP_EVERY_PX = 14.0
-_SNAPS = (5, 40)
+_SNAPS, _CURVE_SNAPS = (5, 40), (5, 72)
 _TANGENT_PX = 40
+_CURVE_TERMS = 9  # a circle's affine errors are two waves, and it may be bumpy
 
 
 @dataclass(frozen=True, eq=False)
@@ -413,17 +415,31 @@ def _offsets(
 ) -> tuple[FloatArray | None, IntArray]:
     """(n,) px from the predicted to the line's own course, and the rows that showed it."""
     n = len(course)
-    count = int(np.clip(round(n / _SNAP_EVERY_PX), *_SNAPS))
-    rows = np.unique(np.linspace(0, n - 1, count).round().astype(np.intp))
+    count = int(np.clip(round(n / _SNAP_EVERY_PX), *(_CURVE_SNAPS if curved else _SNAPS)))
+    along = _course_parameters(across) if curved else np.linspace(-1.0, 1.0, n)
+    wanted = np.interp(np.linspace(-1.0, 1.0, count), along, np.arange(n))
+    rows = np.unique(wanted.round().astype(np.intp))
     values = offsets_along_curve(picture, course, across, rows, sought, reach)
     known = ~np.isnan(values)
     if known.sum() < 3:
         return None, rows[:0]
-    places = 2.0 * rows / (n - 1) - 1.0
-    agreed, coefficients = smooth_inliers(
-        places[known], values[known], reach, terms=5 if curved else 3
-    )
+    places, values = along[rows[known]], values[known]
+    agreed, coefficients = smooth_inliers(places, values, reach, terms=5 if curved else 3)
+    if curved and len(values) > 2 * _CURVE_TERMS:
+        basis = np.polynomial.legendre.legvander(places, _CURVE_TERMS - 1).astype(np.float64)
+        bent, bent_agreed = robust_fit(basis, values)
+        if bent_agreed.sum() > agreed.sum():
+            agreed, coefficients = bent_agreed, bent
     if agreed.sum() < 3:
         return None, rows[:0]
-    whole = np.polynomial.legendre.legval(np.linspace(-1.0, 1.0, n), coefficients)
+    whole = np.polynomial.legendre.legval(along, coefficients)
     return np.clip(whole, -reach - 1.0, reach + 1.0), rows[known][agreed]
+
+
+def _course_parameters(across: FloatArray) -> FloatArray:
+    """(n,) ascending from -1 to 1 along a curve with unit normals (n, 2): half by its length, half
+    by how it turns. What a camera is off by changes with the direction of a circle, at once where
+    it is seen to turn at once."""
+    turned = np.abs(np.diff(np.unwrap(np.arctan2(across[:, 1], across[:, 0]))))
+    shares = np.cumsum(turned / max(float(turned.sum()), 1e-9) + 1 / len(turned))
+    return np.concatenate([[-1.0], shares - 1.0])
