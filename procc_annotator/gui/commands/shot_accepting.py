@@ -239,7 +239,7 @@ class StretchAccepting(QObject):
             self._services.say(tr("taken back: no frame is accepted"))
             return True
         state = self._services.state
-        meant = {"Undo": self._accepted, "Redo": self._taken_back}.get(name)
+        meant = {"Undo": self._accepted, "Redo": self._taken_back}.get(name)  # not shown
         if not meant or self._at != state.frame_index or state.annotation != self._here:
             return False  # something was done here since: that is meant
         if name == "Undo":

@@ -69,7 +69,7 @@ class TauControl(QWidget):
             self.spin.setValue(tau)
 
 
-_NO_CAMERA = word("none judged")
+_NO_CAMERA = word("none")
 _WIDEST_CAMERA, _WIDEST_JAC = 14, 22  # average letters
 _JAC_TIP = word("Jaccard index of this frame at tau")
 

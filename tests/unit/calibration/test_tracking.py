@@ -241,7 +241,7 @@ def test_a_long_line_that_the_camera_shows_elsewhere_is_reported_and_a_worn_one_
         lambda number: draw(CAMERAS[number]), range(4), field, anchors={0: CAMERAS[0]}
     ).frames[1:]
     assert all(f.state == "followed" and f.coverage > 0.65 and _off(f) < 1.0 for f in found)
-    assert [name in f.reason for f in found] == [not worn] * 3
+    assert [there.title in f.reason for f in found] == [not worn] * 3
 
 
 def test_the_same_frames_give_the_same_cameras():
