@@ -89,10 +89,8 @@ class Workspace:
         return cls(path, frames, field, notices, root)
 
     def only(self, names: Collection[str] | None) -> Workspace:
-        """Return the same dataset with some of its frames, none read yet; None: as it is."""
-        if names is None:
-            return self
-        frames = tuple(frame for frame in self.frames if frame.name in names)
+        """Return the same dataset with some of its frames (None: all), none read yet."""
+        frames = tuple(f for f in self.frames if names is None or f.name in names)
         return Workspace(self.root, frames, self.field, self.notices, self.folder)
 
     @property

@@ -114,6 +114,31 @@ def test_left_on_the_map_is_left_in_the_picture(judged, qtbot):
     assert services.visible_region.turns == 0
 
 
+class Texts:
+    """A painter that keeps what is written where, and paints nothing."""
+
+    def __init__(self) -> None:
+        self.at: dict[str, Qt.AlignmentFlag] = {}
+
+    def setPen(self, _: object) -> None: ...
+
+    def drawText(self, _: object, edge: Qt.AlignmentFlag, text: str) -> None:
+        self.at[text] = edge
+
+
+def test_the_sides_of_a_turned_map_are_named(judged, qtbot):
+    field_map, texts = judged.field_map, Texts()
+    field_map._paint_sides(texts, field_map._placement())
+    assert texts.at == {}  # seen from the main side nothing is turned
+    judged.services.navigator.go_to(1)
+    qtbot.waitUntil(lambda: judged.services.visible_region.turns == 1)
+    field_map._paint_sides(texts, field_map._placement())
+    left, far = field_map.to_widget(-50, 0), field_map.to_widget(0, -30)
+    middle = field_map.to_widget(0, 0)
+    assert bool(texts.at["left"] & Qt.AlignmentFlag.AlignTop) == (left.y() < middle.y() - 1)
+    assert bool(texts.at["far"] & Qt.AlignmentFlag.AlignRight) == (far.x() > middle.x() + 1)
+
+
 def test_what_is_out_of_sight_is_faint(judged, qtbot):
     field_map = judged.field_map
     field_map.resize(330, 300)

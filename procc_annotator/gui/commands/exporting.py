@@ -40,8 +40,7 @@ _LISTED = 200
 
 
 def _frames_to_export(services: Services, parent: QWidget) -> Collection[str] | None:
-    """Return the names of all frames, or of those that are done if some are and only these are
-    wanted; None if nothing is to be exported."""
+    """Return the names of all frames, or of those that are done; None: nothing is exported."""
     frames = services.state.workspace.frames if services.state.workspace is not None else ()
     names = [frame.name for frame in frames]
     done = {name for name in names if services.review.status(name) not in UNFINISHED}
@@ -190,8 +189,8 @@ class Exporter:
         chosen = QFileDialog.getExistingDirectory(self._parent, tr("Save copies to"))
         if not chosen:
             return
-        names = {index: workspace.frames[index].name for index in dirty}
-        copies = {Path(chosen, f"{name}.json"): workspace.read(i) for i, name in names.items()}
+        frames = workspace.frames
+        copies = {Path(chosen, f"{frames[i].name}.json"): workspace.read(i) for i in dirty}
 
         def work(_: JobControl) -> int:
             for path, annotation in copies.items():

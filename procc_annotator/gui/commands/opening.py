@@ -146,7 +146,6 @@ class VideoOpening:
         self._end_progress()
 
     def _show_dialog(self, video: Video, shown: Field, said: bool) -> None:
-        """Ask which frames; ``said``: the field that is shown is new to the dataset."""
         decided = own_field_file(frames_folder(video.path)) is not None
         dialog = VideoDialog(self._parent, video, shown, decided=decided)
         dialog.seconds.setValue(self._settings.get(VIDEO_EVERY))

@@ -64,6 +64,9 @@ _WIDTHS = {
     ElementState.MISSED: 2.5,
     ElementState.NOT_VISIBLE: 1.0,
 }
+_TO = Qt.AlignmentFlag
+_EDGES = (_TO.AlignTop | _TO.AlignHCenter, _TO.AlignRight | _TO.AlignVCenter,
+          _TO.AlignBottom | _TO.AlignHCenter, _TO.AlignLeft | _TO.AlignVCenter)  # fmt: skip
 _WAYS = {
     Qt.Key.Key_Left: QPointF(-1, 0),
     Qt.Key.Key_Right: QPointF(1, 0),
@@ -274,6 +277,7 @@ class FieldMapPanel(Panel):
             self._paint_findings(painter)
             self._paint_next(painter)
             painter.setClipping(False)
+            self._paint_sides(painter, placed)
             self._paint_captions(painter)
 
     def _paint_rank(self, index: int) -> tuple[bool, bool, bool]:
@@ -333,6 +337,16 @@ class FieldMapPanel(Panel):
                 at = anchor + QPointF(0, -11)
                 box = QRectF(at.x() - 7.5, at.y() - 7.5, 15, 15)
                 paint_finding_sign(painter, box, found[0].finding.severity)
+
+    def _paint_sides(self, painter: QPainter, placed: Placement) -> None:
+        """Name the sides of a map that is turned, as the names of elements have them."""
+        names = [tr("far"), tr("right"), tr("near"), tr("left")]  # clockwise, from the top
+        turns = self._services.visible_region.turns
+        wide = max(map(self.fontMetrics().horizontalAdvance, names)) + 4.0
+        area = placed.ground.adjusted(-wide, 0, wide, 0)
+        painter.setPen(muted(self.palette()))
+        for at, edge in enumerate(_EDGES if turns else ()):
+            painter.drawText(area, edge, names[(at - turns) % 4])
 
     def _paint_captions(self, painter: QPainter) -> None:
         """Paint the field's own dimensions at the top; at the bottom the name under the cursor, or
