@@ -64,16 +64,6 @@
    <translation>Elemente liegen im Mittel {after:.1f} px daneben, so wie sie sind {before:.1f} px</translation>
   </message>
   <message>
-   <source>look at point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>Punkt {number} ansehen</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, die anderen Punkte höchstens {rest:.1f} px</translation>
-  </message>
-  <message>
    <source>two points are exchanged: the one of {some} and the one of {others}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>zwei Punkte sind vertauscht: der von {some} und der von {others}</translation>
@@ -97,16 +87,6 @@
    <source>relabel {steps}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>umbenennen: {steps}</translation>
-  </message>
-  <message>
-   <source>remove point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>Punkt {number} entfernen</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, der andere Punkt höchstens {rest:.1f} px</translation>
   </message>
   <message>
    <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
@@ -227,11 +207,11 @@
    </translation>
   </message>
   <message numerus="yes">
-   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
-   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>
-    <numerusform>{title} hat {n} Punkt; weniger als {least} bestimmen keine Ellipse</numerusform>
-    <numerusform>{title} hat {n} Punkte; weniger als {least} bestimmen keine Ellipse</numerusform>
+   <source>{title} has {n} points: {least} points needed for a curve</source>
+   <extracomment>{title} has {n} point: {least} points needed for a curve / {title} has {n} points: {least} points needed for a curve [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -253,6 +233,16 @@
    <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
    <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>{a} und {b} liegen aufeinander, weniger als {px:.0f} px auseinander: eine Linie unter zwei Namen?</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>Punkt {number} entfernen</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>Punkt {number} ansehen</translation>
   </message>
   <message>
    <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
@@ -282,9 +272,9 @@
    <translation>{title} endet {px:.0f} px vor {what}</translation>
   </message>
   <message>
-   <source>put its points along the paint</source>
+   <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>seine Punkte auf die Farbe setzen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
@@ -292,29 +282,39 @@
    <translation>{title} endet {px:.0f} px vor {what}, und am anderen Ende {px_2:.0f} px vor {what_2}</translation>
   </message>
   <message>
-   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} ist zwischen seinen Klicks gerade, seine Farbe verläuft bis zu {px:.0f} px daneben: begradigen (R)</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <source>one end of {title} is {px:.0f} px off the line. Move it onto the paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>ein Ende von {title} liegt etwa {px:.0f} px neben seiner Farbe, die auf dem Weg dorthin zu sehen ist: diesen Punkt darauf setzen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <source>{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends? Press R</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>keine Farbe unter {title} auf {percent:.0f} % davon, höchstens {px:.0f} px am Stück</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>keine Farbe unter {title} gegen eines seiner Enden, unter dem ganzen Rest schon</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>look at it</source>
    <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
    <translation>ansehen</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, die anderen Punkte höchstens {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>Punkt {number} von {title} liegt {off:.0f} px daneben, der andere Punkt höchstens {rest:.1f} px</translation>
   </message>
   <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
@@ -362,14 +362,14 @@
    <translation>die Farbe in der Nähe nähme einem Pflock seinen Platz</translation>
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <source>{name} is {px:.0f} px off its line, and {more} more are off theirs</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name} liegt {px:.0f} px neben seiner Farbe, {more} weitere ebenso</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint</source>
+   <source>{name} is {px:.0f} px off its line</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name} liegt {px:.0f} px neben seiner Farbe</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -481,39 +481,39 @@
    <translation>vom anderen Ende gleich</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>a different view fits almost as well</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>eine andere Kamera, die andere Linien zeigt, passt fast ebenso gut zum Bild</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>lines are missing that should be in sight</source>
+   <source>expected lines are missing</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>es fehlen Linien, die zu sehen sein müssten</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>there is paint where the field has none</source>
+   <source>some lines in the picture do not match the field</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>es gibt Farbe, wo das Feld keine hat</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>too few lines are in sight to tell</source>
+   <source>too few lines in view</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>zu wenige Linien sind zu sehen, um es zu sagen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>cameras hardly stand there</source>
+   <source>unusual camera position</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>dort stehen kaum Kameras</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the lines in sight leave the camera open</source>
+   <source>the visible lines do not determine the camera</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>die sichtbaren Linien lassen die Kamera offen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
+   <source>{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>{lines:.0f} % der sichtbaren Linien liegen auf Farbe, was {paint:.0f} % der Farbe auf dem Spielfeld erklärt</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -521,14 +521,14 @@
    <translation>ist dies {field} und keine andere Sportart? {why}</translation>
   </message>
   <message>
-   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <source>no camera fits the lines (best: {shares})</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>keine Kamera passt zur Farbe in diesem Bild: bei der besten {shares}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <source>the picture is nearly square: its pixels may not be</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>das Bild ist fast quadratisch wie ein gestauchtes: seine Pixel sind vielleicht nicht quadratisch</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -774,16 +774,22 @@
    <translation>in Ordnung</translation>
   </message>
   <message>
-   <source>camera fault</source>
+   <source>camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>Fehler der Kamera</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>annotation fault</source>
+   <source>labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>Fehler der Annotation</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>OK</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>taken back</source>
@@ -967,6 +973,11 @@
    <translation>Strg+Z nimmt es zurück</translation>
   </message>
   <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Bild</translation>
+  </message>
+  <message>
    <source>PAN</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>VERSCHIEBEN</translation>
@@ -977,19 +988,9 @@
    <translation>Ziehen bewegt das Bild</translation>
   </message>
   <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Klick und Eingabe tun nichts</translation>
-  </message>
-  <message>
    <source>Esc takes the tool again</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>Esc nimmt wieder das Werkzeug</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>Bild</translation>
   </message>
   <message>
    <source>load a second set of cameras to blink between two (Ctrl+L)</source>
@@ -1023,7 +1024,7 @@
   </message>
   <message>
    <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
    <translation>als Nächstes: {title}</translation>
   </message>
   <message>
@@ -1035,19 +1036,6 @@
    <source>{title} has no points in this frame: choose the element to delete</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>{title} hat in diesem Bild keine Punkte: wählen Sie das zu löschende Element</translation>
-  </message>
-  <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>1 Klick von {title} auf {frame} ist unbestätigt aufgehoben: das Element dort wählen, um fortzufahren</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>{title} mit {n} Punkt auf {frame} beendet</numerusform>
-    <numerusform>{title} mit {n} Punkten auf {frame} beendet</numerusform>
-   </translation>
   </message>
   <message>
    <source>choose the element to delete first: field map, list, or its key</source>
@@ -1062,18 +1050,23 @@
     <numerusform>{n} Punkte von {title} verworfen</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>{title} mit {n} Punkt beendet</numerusform>
-    <numerusform>{title} mit {n} Punkten beendet</numerusform>
-   </translation>
-  </message>
   <message>
    <source>{titles}: changed elsewhere, look again first</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>{titles}: anderswo geändert, sehen Sie erst noch einmal hin</translation>
+  </message>
+  <message numerus="yes">
+   <source>kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on</source>
+   <extracomment>kept {n} click of {title} on {frame}, unfinished: choose it there to go on / kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>finished {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>How good the fitted camera is</source>
@@ -1169,9 +1162,9 @@
    <translation>Die Kamera wird im Bild gesucht …</translation>
   </message>
   <message>
-   <source>No camera found: {why}</source>
+   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>Keine Kamera gefunden: {why}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1413,6 +1406,11 @@
    </translation>
   </message>
   <message>
+   <source>Another element…</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Unbenannt lassen</translation>
@@ -1617,7 +1615,7 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/messages.py]</extracomment>
    <translation>Abbrechen</translation>
   </message>
   <message>
@@ -1736,14 +1734,27 @@ Verliert {loses}.</translation>
    <translation>Zip-Archiv (*.zip);;Ordner (*)</translation>
   </message>
   <message>
+   <source>Save copies to</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>copied {n:,} frames to {folder}; they are not saved in their own place yet</source>
+   <extracomment>copied {n:,} frame to {folder}; it is not saved in its own place yet / copied {n:,} frames to {folder}; they are not saved in their own place yet [procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
    <source>Table (*.csv);;JSON (*.json)</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Tabelle (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation>Übersicht exportieren</translation>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Tabelle (*.csv)</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
@@ -1787,6 +1798,11 @@ Verliert {loses}.</translation>
    <source>What the format cannot hold</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Was das Format nicht fassen kann</translation>
+  </message>
+  <message>
+   <source>everything is saved in its own place</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no camera to save: {why}</source>
@@ -1833,11 +1849,6 @@ Verliert {loses}.</translation>
     <numerusform>{n:,} Datei war unlesbar: {problem}</numerusform>
     <numerusform>{n:,} Dateien waren unlesbar: {problem}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Tabelle (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
@@ -2067,14 +2078,14 @@ Verliert {loses}.</translation>
    <translation>{place} von {total}, schlechteste zuerst: mediane Abweichung {value:.2f} m</translation>
   </message>
   <message>
+   <source>{place} of {total}, the least sure first</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no other frame is rejected</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>kein anderes Bild ist abgelehnt</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>{frame} ist {status}</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2100,6 +2111,11 @@ Verliert {loses}.</translation>
    <source>no shot was followed yet (T)</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>noch wurde keiner Einstellung gefolgt (T)</translation>
+  </message>
+  <message>
+   <source>no other frame is unsure</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>these frames do not follow one another</source>
@@ -2167,9 +2183,9 @@ Verliert {loses}.</translation>
    <translation>{source} und {other} sind verglichen</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>skipped (under {least:.0%} visible): {ghosts}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>gelassen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -2264,9 +2280,9 @@ Verliert {loses}.</translation>
    <translation>die Kamera wird angepasst: nehmen Sie ihre Geister gleich an</translation>
   </message>
   <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <source>no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>kein Geist angenommen, weniger als {least:.0%} der Linie ist zu sehen: {ghosts}; Tab geht sie durch</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -2895,7 +2911,7 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>Frames</source>
-   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Bilder</translation>
   </message>
   <message>
@@ -2967,9 +2983,19 @@ Verliert {loses}.</translation>
    <translation>kein Bild zu übernehmen: folgen Sie zuerst der Einstellung (T)</translation>
   </message>
   <message>
+   <source>the shot is still being followed: wait for its end, or stop it (T), then accept</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no frame to accept: all that were followed are annotated</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>kein Bild zu übernehmen: alle verfolgten sind annotiert</translation>
+  </message>
+  <message>
+   <source>every frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
@@ -2985,16 +3011,16 @@ Verliert {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
+   <source>finding line points: {done} of {total} frames  ·  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>Farbe entlang der Spur wird gesucht: {done} von {total} Bildern</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild entlang der Spur angenommen</numerusform>
-    <numerusform>{n:,} Bilder entlang der Spur angenommen</numerusform>
+   <source>annotated {n:,} frames</source>
+   <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -3003,11 +3029,11 @@ Verliert {loses}.</translation>
    <translation>Strg+Z nimmt sie zurück</translation>
   </message>
   <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>zurückgenommen: {n:,} entlang der Spur angenommenes Bild</numerusform>
-    <numerusform>zurückgenommen: {n:,} entlang der Spur angenommene Bilder</numerusform>
+   <source>taken back: {n:,} annotated frames</source>
+   <extracomment>taken back: {n:,} annotated frame / taken back: {n:,} annotated frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message numerus="yes">
@@ -3019,14 +3045,14 @@ Verliert {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track</source>
+   <source>finding line points …  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>Farbe entlang der Spur wird gesucht</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
+   <source>no frame was annotated: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>kein Bild angenommen: zu wenig ihrer Linien ist zu sehen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
@@ -3052,6 +3078,19 @@ Verliert {loses}.</translation>
    <source>taken back: no frame is accepted</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>zurückgenommen: kein Bild ist angenommen</translation>
+  </message>
+  <message>
+   <source>no frame was annotated: no camera is sure</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first</source>
+   <extracomment>{n:,} frame is not sure: Alt+PgDown shows it / {n:,} frames are not sure: Alt+PgDown goes through them, the least sure first [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
@@ -3191,9 +3230,9 @@ Verliert {loses}.</translation>
    <translation>Festgelegt lassen</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <source>mark the frame first: camera wrong, labels wrong or fine</source>
    <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>urteilen Sie zuerst über das Bild: Fehler der Kamera, Fehler der Annotation oder in Ordnung</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
@@ -3430,7 +3469,7 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>none</source>
-   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <extracomment>[procc_annotator/gui/field_preview.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>keine</translation>
   </message>
   <message>
@@ -3764,9 +3803,9 @@ Verliert {loses}.</translation>
    <translation>Anderen Ort wählen…</translation>
   </message>
   <message>
-   <source>Save again</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Noch einmal speichern</translation>
+   <source>Save copies to…</source>
+   <extracomment>[procc_annotator/gui/messages.py, the action save_copies]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copy details</source>
@@ -3774,9 +3813,32 @@ Verliert {loses}.</translation>
    <translation>Einzelheiten kopieren</translation>
   </message>
   <message>
+   <source>Show the next</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{what} is there already, and says something else.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} gibt es schon, und es steht etwas anderes darin.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} comments on this frame are not settled.</source>
+   <extracomment>{n} comment on this frame is not settled. / {n} comments on this frame are not settled. [procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>A tick in the Review panel settles a comment.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{n:,} of {total:,} frames are not done.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} frames are not saved, and saving failed again just now.</source>
@@ -3795,6 +3857,31 @@ Verliert {loses}.</translation>
    <source>Write what you see on screen over the file</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Was Sie sehen, über die Datei schreiben</translation>
+  </message>
+  <message>
+   <source>Export all</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Done only</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Diese Meldung wegnehmen</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Fremde neu laden</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Mit eigener überschreiben</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
@@ -3817,9 +3904,14 @@ Verliert {loses}.</translation>
    <translation>Ersetzen</translation>
   </message>
   <message>
-   <source>Close and lose them</source>
+   <source>Do not approve</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Schließen und verlieren</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Approve</source>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
+   <translation>Freigeben</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -3827,19 +3919,9 @@ Verliert {loses}.</translation>
    <translation>Bleiben</translation>
   </message>
   <message>
-   <source>Dismiss this message</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Diese Meldung wegnehmen</translation>
-  </message>
-  <message>
-   <source>Reload theirs</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Fremde neu laden</translation>
-  </message>
-  <message>
-   <source>Overwrite with mine</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Mit eigener überschreiben</translation>
+   <translation>Schließen und verlieren</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -4197,9 +4279,9 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
    </translation>
   </message>
   <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>keine Kamera</translation>
+   <source>none judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>several models</source>
@@ -4248,10 +4330,9 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   </message>
   <message>
    <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+Load a folder of camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
-   <translation>Keine Kameras geladen.
-Laden Sie einen Ordner mit SoccerNet-Kameradateien oder Homographien, um sie an Ihren Klicks gemessen zu sehen.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Load folder…</source>
@@ -4497,14 +4578,44 @@ Klasse in Dateien: {name}</translation>
    <translation>Die Pfeiltasten wählen Elemente</translation>
   </message>
   <message>
+   <source>far</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>right</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>near</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>left</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Als Nächstes: {title}, {before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
-   <source>Click an element to choose its class</source>
+   <source>Click an element</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation>Ein Element anklicken, um seine Klasse zu wählen</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>{shown:,} von {frames}</translation>
+  </message>
+  <message>
+   <source>Show all frames</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Error</source>
@@ -4547,9 +4658,9 @@ Open a folder of pictures to check their labels.</source>
    <translation>In diesem Bild ist nichts annotiert.</translation>
   </message>
   <message>
-   <source>Nothing found by the rules that need no camera.</source>
+   <source>No problems so far.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Die Regeln, die keine Kamera brauchen, fanden nichts.</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
@@ -4565,14 +4676,14 @@ Open a folder of pictures to check their labels.</source>
    <translation>Blind: Befunde, die eine Kamera brauchen, warten, bis dieses Bild abgegeben ist (Strg+Eingabe).</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <source>The live fit is off: the full check needs it.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Die laufende Anpassung ist aus: nur Regeln, die keine Kamera brauchen, werden geprüft.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <source>Full check needs a camera: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Noch passt keine Kamera ({why}): nur Regeln, die keine brauchen, werden geprüft.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
@@ -4914,11 +5025,6 @@ Open a folder of pictures to check their labels.</source>
     <numerusform>{n} offen</numerusform>
     <numerusform>{n} offen</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
-   <translation>{shown:,} von {frames}</translation>
   </message>
   <message>
    <source>all done</source>
@@ -5481,31 +5587,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>(ohne Bewertung)</translation>
   </message>
   <message>
-   <source>This frame has not been edited here</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Hier hat noch niemand dieses Bild bearbeitet</translation>
-  </message>
-  <message>
-   <source>Begun, not done</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Begonnen, nicht fertig</translation>
-  </message>
-  <message>
-   <source>The annotator is done (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Der Annotator ist fertig (Strg+Eingabe)</translation>
-  </message>
-  <message>
-   <source>A reviewer found it right (Ctrl+Shift+A)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Ein Prüfer befand es für richtig (Strg+Umschalt+A)</translation>
-  </message>
-  <message>
-   <source>A reviewer sent it back (Ctrl+Shift+X)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Ein Prüfer gab es zurück (Strg+Umschalt+X)</translation>
-  </message>
-  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Im Blindmodus abgegeben, und noch wie damals.</translation>
@@ -5546,9 +5627,29 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{minutes}:{seconds:02d} min</translation>
   </message>
   <message>
+   <source>This frame is right (Ctrl+Shift+A)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Send it back (Ctrl+Shift+X)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reject</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, the action reject]</extracomment>
+   <translation>Ablehnen</translation>
+  </message>
+  <message>
    <source>No comments on this frame.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Keine Kommentare zu diesem Bild.</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{frame} ist {status}</translation>
   </message>
   <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
@@ -5571,11 +5672,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Punkte: keine</translation>
   </message>
   <message numerus="yes">
-   <source>to be confirmed (Shift+V): {n:,} copied elements</source>
-   <extracomment>to be confirmed (Shift+V): {n:,} copied element / to be confirmed (Shift+V): {n:,} copied elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>
-    <numerusform>zu bestätigen (Umschalt+V): {n:,} kopiertes Element</numerusform>
-    <numerusform>zu bestätigen (Umschalt+V): {n:,} kopierte Elemente</numerusform>
+   <source>to be confirmed (Shift+V): {n:,} elements</source>
+   <extracomment>to be confirmed (Shift+V): {n:,} element / to be confirmed (Shift+V): {n:,} elements [procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -5654,22 +5755,16 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Das kleinste tau des Schiebers, bei dem es besteht, px</translation>
   </message>
   <message>
-   <source>Camera</source>
+   <source>Camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Kamera</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation</source>
+   <source>Labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Annotation</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>In Ordnung</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
@@ -5784,9 +5879,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Zählt als {class_name}</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>Verdict</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Fehler</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5901,6 +5996,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>open a folder of pictures first</source>
    <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
    <translation>öffnen Sie zuerst einen Ordner mit Bildern</translation>
+  </message>
+  <message>
+   <source>choose the camera to judge first (C)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -6138,9 +6238,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>kein anderes Feld kennt die Klassen hier besser</translation>
   </message>
   <message>
-   <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
+   <source>{folder} cannot be written: what is annotated here has to be saved elsewhere (File &gt; Save copies to…)</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>{folder} ist nicht beschreibbar: nichts, was hier annotiert wird, lässt sich speichern</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
@@ -6161,6 +6261,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>das Feld dieses Datensatzes: {field}</translation>
+  </message>
+  <message>
+   <source>the filter shows no further frame this way</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
@@ -6286,9 +6391,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Annotation ist unlesbar</translation>
   </message>
   <message>
-   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <source>Enter runs it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Eingabe führt aus · ↑ ↓ wählt · Esc schließt</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panel</source>
@@ -6558,9 +6663,9 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
    <translation>Keine Tasten</translation>
   </message>
   <message>
-   <source>Usual keys</source>
+   <source>Default keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Übliche Tasten</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Import…</source>
@@ -6789,6 +6894,11 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Status dieses Bildes (Bereich Durchsicht)</translation>
   </message>
   <message>
+   <source>JaC – {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Womit die Bewertung berechnet ist: {terms}</translation>
@@ -6807,11 +6917,6 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    </translation>
   </message>
   <message>
-   <source>Top bar</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Obere Leiste</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Feld: {field}</translation>
@@ -6820,11 +6925,6 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Klicken, um ein anderes zu wählen</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6837,9 +6937,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Schwelle tau</translation>
   </message>
   <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; der Anpassung</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no changes</source>
@@ -6847,19 +6952,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>keine Änderungen</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;blind&lt;/b&gt;: abgeben, um den JaC zu sehen</translation>
-  </message>
-  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Einen Ordner mit Bildern hierher ziehen</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved as JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
-   <translation>Annotationen werden als SoccerNet-JSON neben den Bildern gelesen und gespeichert. Ein Ordner mit Kameras, später hierher gezogen, wird an Ihren Klicks gemessen.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Open recent</source>
@@ -6917,9 +7017,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Einstellungen durchsuchen</translation>
   </message>
   <message>
-   <source>All to their defaults</source>
+   <source>Reset all</source>
    <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
-   <translation>Alle auf die Vorgaben</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>none of your own</source>
@@ -6978,21 +7078,6 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <comment>desk</comment>
    <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Prüfen</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Diagramme unter dem Bild öffnen</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Diagramme schließen</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Arbeitsplätze</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -7092,24 +7177,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    </translation>
   </message>
   <message>
-   <source>click, Enter and Esc do nothing yet</source>
+   <source>click to draw; choose its class afterwards</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Klick, Eingabe und Esc tun noch nichts</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Backspace removes the last point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Klick beginnt eine Linie, die danach benannt wird</translation>
-  </message>
-  <message>
-   <source>choose an element: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>ein Element wählen: Feldkarte, Liste, Taste oder /</translation>
-  </message>
-  <message>
-   <source>Backspace takes back the last point</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Rücktaste nimmt den letzten Punkt zurück</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
@@ -7117,19 +7192,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Klick markiert es und geht weiter zu {title}</translation>
   </message>
   <message>
-   <source>Enter does nothing</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Eingabe tut nichts</translation>
-  </message>
-  <message>
    <source>release drops it here</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Loslassen legt es hier ab</translation>
   </message>
   <message>
-   <source>click or drag a point, drag on empty ground to choose several</source>
+   <source>click or drag a point, drag elsewhere to select several</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>einen Punkt klicken oder ziehen, auf freiem Grund ziehen, um mehrere zu wählen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7150,21 +7220,6 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <source>GHOST {title}</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>GEIST {title}</translation>
-  </message>
-  <message>
-   <source>GHOST the next one comes</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>GEIST der nächste kommt</translation>
-  </message>
-  <message>
-   <source>Esc goes back</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc geht zurück</translation>
-  </message>
-  <message>
-   <source>Tab goes on</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Tab geht weiter</translation>
   </message>
   <message>
    <source>GHOST the next one comes in a moment</source>
@@ -7188,9 +7243,19 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    </translation>
   </message>
   <message>
+   <source>Shift+Enter: accept all</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Umschalt+Eingabe: alle annehmen</translation>
+  </message>
+  <message>
    <source>Enter accepts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe nimmt ihn an</translation>
+  </message>
+  <message>
+   <source>Tab goes on</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Tab geht weiter</translation>
   </message>
   <message>
    <source>. not visible here</source>
@@ -7198,19 +7263,24 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>. hier nicht sichtbar</translation>
   </message>
   <message>
-   <source>Shift+Enter: all</source>
+   <source>Esc goes back</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Umschalt+Eingabe: alle</translation>
+   <translation>Esc geht zurück</translation>
   </message>
   <message>
-   <source>or choose its element first: field map, list, its key or /</source>
+   <source>/ finds an element</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>oder zuerst sein Element wählen: Feldkarte, Liste, Taste oder /</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>DRAW</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>ZEICHNEN</translation>
+  </message>
+  <message>
+   <source>choose an element: field map, list, its key or /</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>ein Element wählen: Feldkarte, Liste, Taste oder /</translation>
   </message>
   <message numerus="yes">
    <source>DRAW a line, {n} points</source>
@@ -7221,9 +7291,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    </translation>
   </message>
   <message>
-   <source>Enter or double-click finishes and asks its name</source>
+   <source>Enter or double-click finishes, then choose the class</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Eingabe oder Doppelklick beendet und fragt nach dem Namen</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
@@ -7259,11 +7329,6 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>ZEICHNEN {title}</translation>
   </message>
   <message>
-   <source>Enter does nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Eingabe tut noch nichts</translation>
-  </message>
-  <message>
    <source>Enter confirms it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Eingabe bestätigt es</translation>
@@ -7282,9 +7347,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    </translation>
   </message>
   <message>
-   <source>click begins it</source>
+   <source>click starts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Klick beginnt es</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
@@ -7297,11 +7362,11 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Eingabe bestätigt {title}</translation>
   </message>
   <message numerus="yes">
-   <source>Esc lets go of {n} points</source>
-   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interaction/hints.py]</extracomment>
-   <translation>
-    <numerusform>Esc lässt den Punkt los</numerusform>
-    <numerusform>Esc lässt {n} Punkte los</numerusform>
+   <source>Esc deselects {n} points</source>
+   <extracomment>Esc deselects the point / Esc deselects {n} points [procc_annotator/interaction/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -7310,9 +7375,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>BEARBEITEN</translation>
   </message>
   <message>
-   <source>release chooses all points inside</source>
+   <source>release selects all points inside</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Loslassen wählt alle Punkte darin</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
@@ -7345,9 +7410,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Klick tut nichts: es gibt keine Punkte zu bearbeiten, zeichnen Sie zuerst ein Element</translation>
   </message>
   <message>
-   <source>click a point to drag it, next to it to deselect</source>
+   <source>click a point to drag it, elsewhere to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>einen Punkt klicken, um ihn zu ziehen, daneben, um loszulassen</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
@@ -7358,14 +7423,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    </translation>
   </message>
   <message>
-   <source>click begins it by hand</source>
+   <source>click draws it by hand</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Klick beginnt es von Hand</translation>
-  </message>
-  <message>
-   <source>BLIND</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>BLIND</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
@@ -7376,14 +7436,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    </translation>
   </message>
   <message>
-   <source>Enter does nothing: no line is found along it</source>
+   <source>no line found along it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Eingabe tut nichts: keine Linie wird darauf gefunden</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Eingabe und Esc tun noch nichts</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7416,9 +7471,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Klick markiert es</translation>
   </message>
   <message>
-   <source>hold Ctrl to click off the line</source>
+   <source>hold Ctrl: no snapping</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Strg halten, um neben die Linie zu klicken</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Delete removes {title}</source>
@@ -7439,14 +7494,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    </translation>
   </message>
   <message>
-   <source>Esc takes the new point away</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc nimmt den neuen Punkt weg</translation>
-  </message>
-  <message>
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>NUR LESEN</translation>
+  </message>
+  <message>
+   <source>BLIND</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>BLIND</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7454,24 +7509,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Umschalt+Eingabe beendet und bleibt</translation>
   </message>
   <message>
-   <source>Enter and Esc do nothing</source>
+   <source>Esc removes the new point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Eingabe und Esc tun nichts</translation>
-  </message>
-  <message>
-   <source>Esc gives up</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc gibt auf</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Esc lets go</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc lässt los</translation>
-  </message>
-  <message>
-   <source>Shift+Enter: accept all</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Umschalt+Eingabe: alle annehmen</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7679,6 +7724,11 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Jede fertige Änderung wird sofort gespeichert; dies versucht noch einmal, was misslang</translation>
   </message>
   <message>
+   <source>Write what could not be saved in its own place to another folder</source>
+   <extracomment>[the action save_copies]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Import annotations…</source>
    <extracomment>[the action import_annotations]</extracomment>
    <translation>Annotationen importieren…</translation>
@@ -7699,14 +7749,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Die Annotationen für ein anderes Programm schreiben: CVAT, labelme, COCO, SoccerNet, Masken</translation>
   </message>
   <message>
-   <source>Export SoccerNet JSON…</source>
+   <source>Export annotations as JSON…</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>SoccerNet-JSON exportieren…</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Write the annotations of all frames as a folder or zip of SoccerNet JSON</source>
+   <source>Write the annotations of all frames as a folder or zip of JSON files</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>Die Annotationen aller Bilder als Ordner oder Zip mit SoccerNet-JSON schreiben</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Export JaC of the set…</source>
@@ -7964,9 +8014,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Nächstes Bild</translation>
   </message>
   <message>
-   <source>Show the next picture</source>
+   <source>Show the next picture, of those that the filter shows</source>
    <extracomment>[the action next_frame]</extracomment>
-   <translation>Das nächste Bild zeigen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Previous frame</source>
@@ -7974,9 +8024,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Voriges Bild</translation>
   </message>
   <message>
-   <source>Show the previous picture</source>
+   <source>Show the previous picture, of those that the filter shows</source>
    <extracomment>[the action previous_frame]</extracomment>
-   <translation>Das vorige Bild zeigen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Next unfinished</source>
@@ -8139,9 +8189,19 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Annotiert die Bilder der Einstellung oder des auf dem Streifen markierten Abschnitts entlang ihrer Spur; annotierte werden ausgelassen, zweifelhafte auch, wenn es nicht noch einmal gedrückt wird</translation>
   </message>
   <message>
-   <source>Take back the accepted stretch</source>
+   <source>Annotate all that is sure</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotate every frame of the dataset whose camera is found and sure, in one step; Next doubtful frame (Alt+PgDown) then goes through the others, the least sure first</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Take back what was accepted last</source>
    <extracomment>[the action take_back_stretch]</extracomment>
-   <translation>Angenommenen Abschnitt zurücknehmen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Frames that were accepted last and not edited since are as they were before</source>
@@ -8259,19 +8319,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Dieses Bild ist fertig; im Blindmodus zeigt das die Projektion</translation>
   </message>
   <message>
-   <source>Approve</source>
-   <extracomment>[the action approve]</extracomment>
-   <translation>Freigeben</translation>
-  </message>
-  <message>
    <source>A reviewer finds this frame right</source>
    <extracomment>[the action approve]</extracomment>
    <translation>Ein Prüfer befindet dieses Bild für richtig</translation>
-  </message>
-  <message>
-   <source>Reject</source>
-   <extracomment>[the action reject]</extracomment>
-   <translation>Ablehnen</translation>
   </message>
   <message>
    <source>A reviewer sends this frame back; say why in a comment</source>
@@ -8339,14 +8389,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Elemente des zuvor annotierten Bildes übernehmen, verschoben wie die Kamera; sie warten auf Bestätigung</translation>
   </message>
   <message>
-   <source>Confirm all copied elements</source>
+   <source>Confirm all unconfirmed elements</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>Alle kopierten Elemente bestätigen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Copied elements count and are saved from now on</source>
+   <source>Copied and unfinished elements count and are saved from now on</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>Kopierte Elemente zählen und werden ab jetzt gespeichert</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Drop unconfirmed elements</source>
@@ -8354,9 +8404,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Unbestätigte Elemente verwerfen</translation>
   </message>
   <message>
-   <source>Remove copied elements that were not edited</source>
+   <source>Remove copied and unfinished elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
-   <translation>Wegwerfen, was kopiert und nicht angefasst wurde</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Regularise all elements</source>
@@ -8464,9 +8514,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Das gewählte Element mit allen Punkten entfernen</translation>
   </message>
   <message>
-   <source>Confirm copied element</source>
+   <source>Confirm element</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation>Kopiertes Element bestätigen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
@@ -8624,9 +8674,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Wie viel der gemalten Linie eines Geistes zu sehen sein muss, damit er mit allen angenommen wird</translation>
   </message>
   <message>
-   <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
+   <source>The ghost or the chosen element cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation>Der Geist oder das gewählte Element ist in diesem Bild nicht zu sehen; noch einmal nimmt es zurück</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Take back “not visible here”</source>
@@ -8829,9 +8879,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Feldkarte zur Kamera drehen</translation>
   </message>
   <message>
-   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation>Auf der Feldkarte liegt die Seite unten, auf der die Kamera steht, und was sie nicht sieht, ist blass; die Hälfte außer Sicht überlässt ihren Platz der anderen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Picture on the field map</source>
@@ -8849,14 +8899,24 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Bilderstreifen</translation>
   </message>
   <message>
-   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
+   <source>Below the picture: thumbnails of the frames, or the timeline of a video</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>Unter dem Bild: bei einem Video oder aufeinanderfolgenden Bildern, wie gut ihre Kameras sind und wo annotiert ist</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
+   <source>List of frames</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show the frames with their names and a filter at the left, instead of the strip; once more closes the list</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Errors and JaC of the frame or the set, of all shown sources</source>
    <extracomment>[the action plots]</extracomment>
-   <translation>Fehler und JaC des Bildes oder des Satzes als Diagramme, für alle gezeigten Quellen, in einer Lade unter dem Bild; noch einmal schließt sie</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -9114,9 +9174,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Tore, Körbe und Netze, die eine Homographie nicht projizieren kann, werden nicht gezählt</translation>
   </message>
   <message>
-   <source>Camera fault</source>
+   <source>Camera wrong</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation>Fehler der Kamera</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
@@ -9124,9 +9184,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Die aktive Kamera ist in diesem Bild falsch; noch einmal nimmt das Urteil zurück</translation>
   </message>
   <message>
-   <source>Annotation fault</source>
+   <source>Labels wrong</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation>Fehler der Annotation</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
@@ -9134,9 +9194,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Die Klicks sind in diesem Bild falsch; noch einmal nimmt das Urteil zurück</translation>
   </message>
   <message>
-   <source>Fine</source>
+   <source>OK</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation>In Ordnung</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
@@ -9214,14 +9274,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Farbschema</translation>
   </message>
   <message>
-   <source>Light, dark, or as the system has it</source>
+   <source>Light, dark or system</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>Hell, dunkel, oder wie das System es hat</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>As the system</source>
+   <source>System</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>Wie das System</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Light</source>
@@ -9234,14 +9294,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Dunkel</translation>
   </message>
   <message>
-   <source>Size of texts</source>
+   <source>Text size</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>Textgröße</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>How large texts are, of what the system says; from the next start on</source>
+   <source>Text size, % of system (after restart)</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>Wie groß Texte sind, gemessen an der Vorgabe des Systems; ab dem nächsten Start</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Language</source>
@@ -9249,9 +9309,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Sprache</translation>
   </message>
   <message>
-   <source>The language of the window; from the next start on. Files stay as they are</source>
+   <source>Language of the window (after restart); files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation>Die Sprache des Fensters; ab dem nächsten Start. Dateien bleiben, wie sie sind</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9259,14 +9319,14 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Was die Farben über dem Bild sagen</translation>
   </message>
   <message>
-   <source>Your name</source>
+   <source>Author name</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>Ihr Name</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Whose name points, comments and versions bear; empty: that of the system's user</source>
+   <source>Author name (empty = login name)</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>Wessen Namen Punkte, Kommentare und Fassungen tragen; leer: den des Systembenutzers</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Judging</source>

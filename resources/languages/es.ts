@@ -64,16 +64,6 @@
    <translation>los elementos están de media a {after:.1f} px, a {before:.1f} px tal como están</translation>
   </message>
   <message>
-   <source>look at point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>mirar el punto {number}</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>el punto {number} de {title} está a {off:.0f} px, sus otros puntos a lo sumo a {rest:.1f} px</translation>
-  </message>
-  <message>
    <source>two points are exchanged: the one of {some} and the one of {others}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>dos puntos están intercambiados: el de {some} y el de {others}</translation>
@@ -97,16 +87,6 @@
    <source>relabel {steps}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>cambiar la clase: {steps}</translation>
-  </message>
-  <message>
-   <source>remove point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>quitar el punto {number}</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>el punto {number} de {title} está a {off:.0f} px, su otro punto a lo sumo a {rest:.1f} px</translation>
   </message>
   <message>
    <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
@@ -227,11 +207,11 @@
    </translation>
   </message>
   <message numerus="yes">
-   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
-   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>
-    <numerusform>{title} tiene {n} punto; menos de {least} no determinan una elipse</numerusform>
-    <numerusform>{title} tiene {n} puntos; menos de {least} no determinan una elipse</numerusform>
+   <source>{title} has {n} points: {least} points needed for a curve</source>
+   <extracomment>{title} has {n} point: {least} points needed for a curve / {title} has {n} points: {least} points needed for a curve [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -253,6 +233,16 @@
    <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
    <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>{a} y {b} están uno sobre otro, a menos de {px:.0f} px: ¿una línea con dos nombres?</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>quitar el punto {number}</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>mirar el punto {number}</translation>
   </message>
   <message>
    <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
@@ -282,9 +272,9 @@
    <translation>a {title} le faltan {px:.0f} px para llegar a {what}</translation>
   </message>
   <message>
-   <source>put its points along the paint</source>
+   <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>poner sus puntos a lo largo de la pintura</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
@@ -292,29 +282,39 @@
    <translation>a {title} le faltan {px:.0f} px para llegar a {what}, y {px_2:.0f} px para llegar a {what_2} en el otro extremo</translation>
   </message>
   <message>
-   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} es recto entre sus clics, su pintura pasa hasta a {px:.0f} px: regularícelo (R)</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <source>one end of {title} is {px:.0f} px off the line. Move it onto the paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>un extremo de {title} está a unos {px:.0f} px de su pintura, que se ve en el camino hasta allí: ponga ese punto sobre ella</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <source>{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends? Press R</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>no hay pintura bajo {title} en un {percent:.0f} % de él, a lo sumo {px:.0f} px seguidos</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>no hay pintura bajo {title} hacia uno de sus extremos, bajo todo el resto sí</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>look at it</source>
    <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
    <translation>mirarlo</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>el punto {number} de {title} está a {off:.0f} px, sus otros puntos a lo sumo a {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>el punto {number} de {title} está a {off:.0f} px, su otro punto a lo sumo a {rest:.1f} px</translation>
   </message>
   <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
@@ -362,14 +362,14 @@
    <translation>la pintura cercana quitaría una estaca de su sitio</translation>
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <source>{name} is {px:.0f} px off its line, and {more} more are off theirs</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name} está a {px:.0f} px de su pintura, y otros {more} también</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint</source>
+   <source>{name} is {px:.0f} px off its line</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name} está a {px:.0f} px de su pintura</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -481,39 +481,39 @@
    <translation>igual desde el otro extremo</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>a different view fits almost as well</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>otra cámara que muestra otras líneas encaja casi igual de bien con la imagen</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>lines are missing that should be in sight</source>
+   <source>expected lines are missing</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>faltan líneas que deberían verse</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>there is paint where the field has none</source>
+   <source>some lines in the picture do not match the field</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>hay pintura donde el campo no la tiene</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>too few lines are in sight to tell</source>
+   <source>too few lines in view</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>se ven demasiado pocas líneas para decirlo</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>cameras hardly stand there</source>
+   <source>unusual camera position</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>allí apenas hay cámaras</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the lines in sight leave the camera open</source>
+   <source>the visible lines do not determine the camera</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>las líneas a la vista no determinan la cámara</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
+   <source>{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>el {lines:.0f} % de las líneas a la vista está sobre pintura, lo que explica el {paint:.0f} % de la pintura del campo</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -521,14 +521,14 @@
    <translation>¿es esto {field} y no otro deporte? {why}</translation>
   </message>
   <message>
-   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <source>no camera fits the lines (best: {shares})</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>ninguna cámara encaja con la pintura de esta imagen: en la mejor {shares}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <source>the picture is nearly square: its pixels may not be</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>la imagen es casi cuadrada, como una comprimida: sus píxeles quizá no sean cuadrados</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -774,16 +774,22 @@
    <translation>correcto</translation>
   </message>
   <message>
-   <source>camera fault</source>
+   <source>camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>fallo de la cámara</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>annotation fault</source>
+   <source>labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>fallo de la anotación</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>OK</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>taken back</source>
@@ -967,6 +973,11 @@
    <translation>Ctrl+Z lo retira</translation>
   </message>
   <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Imagen</translation>
+  </message>
+  <message>
    <source>PAN</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>DESPLAZAR</translation>
@@ -977,19 +988,9 @@
    <translation>arrastrar mueve la imagen</translation>
   </message>
   <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>clic e Intro no hacen nada</translation>
-  </message>
-  <message>
    <source>Esc takes the tool again</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>Esc vuelve a la herramienta</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>Imagen</translation>
   </message>
   <message>
    <source>load a second set of cameras to blink between two (Ctrl+L)</source>
@@ -1023,7 +1024,7 @@
   </message>
   <message>
    <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
    <translation>siguiente: {title}</translation>
   </message>
   <message>
@@ -1035,19 +1036,6 @@
    <source>{title} has no points in this frame: choose the element to delete</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>{title} no tiene puntos en esta imagen: elija el elemento que borrar</translation>
-  </message>
-  <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>se conserva 1 clic de {title} en {frame}, sin confirmar: elija allí el elemento para continuar</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>{title} terminado con {n} punto en {frame}</numerusform>
-    <numerusform>{title} terminado con {n} puntos en {frame}</numerusform>
-   </translation>
   </message>
   <message>
    <source>choose the element to delete first: field map, list, or its key</source>
@@ -1062,18 +1050,23 @@
     <numerusform>{n} puntos de {title} descartados</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>{title} terminado con {n} punto</numerusform>
-    <numerusform>{title} terminado con {n} puntos</numerusform>
-   </translation>
-  </message>
   <message>
    <source>{titles}: changed elsewhere, look again first</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>{titles}: cambiado en otra parte, mire de nuevo primero</translation>
+  </message>
+  <message numerus="yes">
+   <source>kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on</source>
+   <extracomment>kept {n} click of {title} on {frame}, unfinished: choose it there to go on / kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>finished {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>How good the fitted camera is</source>
@@ -1169,9 +1162,9 @@
    <translation>Buscando la cámara en la imagen …</translation>
   </message>
   <message>
-   <source>No camera found: {why}</source>
+   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>Ninguna cámara hallada: {why}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1413,6 +1406,11 @@
    </translation>
   </message>
   <message>
+   <source>Another element…</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>Dejarla sin nombre</translation>
@@ -1617,7 +1615,7 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/messages.py]</extracomment>
    <translation>Cancelar</translation>
   </message>
   <message>
@@ -1736,14 +1734,27 @@ Pierde {loses}.</translation>
    <translation>Archivo zip (*.zip);;Carpeta (*)</translation>
   </message>
   <message>
+   <source>Save copies to</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>copied {n:,} frames to {folder}; they are not saved in their own place yet</source>
+   <extracomment>copied {n:,} frame to {folder}; it is not saved in its own place yet / copied {n:,} frames to {folder}; they are not saved in their own place yet [procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
    <source>Table (*.csv);;JSON (*.json)</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Tabla (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation>Exportar el resumen</translation>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Tabla (*.csv)</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
@@ -1787,6 +1798,11 @@ Pierde {loses}.</translation>
    <source>What the format cannot hold</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Lo que el formato no puede guardar</translation>
+  </message>
+  <message>
+   <source>everything is saved in its own place</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no camera to save: {why}</source>
@@ -1833,11 +1849,6 @@ Pierde {loses}.</translation>
     <numerusform>{n:,} archivo no se pudo leer: {problem}</numerusform>
     <numerusform>{n:,} archivos no se pudieron leer: {problem}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Tabla (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
@@ -2067,14 +2078,14 @@ Pierde {loses}.</translation>
    <translation>{place} de {total}, las peores primero: desacuerdo mediano {value:.2f} m</translation>
   </message>
   <message>
+   <source>{place} of {total}, the least sure first</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no other frame is rejected</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>ninguna otra imagen está rechazada</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>{frame} está {status}</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2100,6 +2111,11 @@ Pierde {loses}.</translation>
    <source>no shot was followed yet (T)</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>aún no se siguió ningún plano (T)</translation>
+  </message>
+  <message>
+   <source>no other frame is unsure</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>these frames do not follow one another</source>
@@ -2167,9 +2183,9 @@ Pierde {loses}.</translation>
    <translation>{source} y {other} están comparadas</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>skipped (under {least:.0%} visible): {ghosts}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>dejados, se ve menos del {least:.0%} de la línea: {ghosts}</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -2264,9 +2280,9 @@ Pierde {loses}.</translation>
    <translation>se está ajustando la cámara: acepte sus fantasmas en un momento</translation>
   </message>
   <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <source>no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>no se aceptó ningún fantasma, se ve menos del {least:.0%} de la línea: {ghosts}; Tab los recorre</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -2895,7 +2911,7 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>Frames</source>
-   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Imágenes</translation>
   </message>
   <message>
@@ -2967,9 +2983,19 @@ Pierde {loses}.</translation>
    <translation>ninguna imagen que aceptar: siga primero el plano (T)</translation>
   </message>
   <message>
+   <source>the shot is still being followed: wait for its end, or stop it (T), then accept</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no frame to accept: all that were followed are annotated</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>ninguna imagen que aceptar: todas las seguidas están anotadas</translation>
+  </message>
+  <message>
+   <source>every frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
@@ -2985,16 +3011,16 @@ Pierde {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
+   <source>finding line points: {done} of {total} frames  ·  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>buscando pintura a lo largo del seguimiento: {done} de {total} imágenes</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} imagen aceptada según el seguimiento</numerusform>
-    <numerusform>{n:,} imágenes aceptadas según el seguimiento</numerusform>
+   <source>annotated {n:,} frames</source>
+   <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -3003,11 +3029,11 @@ Pierde {loses}.</translation>
    <translation>Ctrl+Z las retira</translation>
   </message>
   <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>retirado: {n:,} imagen aceptada según el seguimiento</numerusform>
-    <numerusform>retirado: {n:,} imágenes aceptadas según el seguimiento</numerusform>
+   <source>taken back: {n:,} annotated frames</source>
+   <extracomment>taken back: {n:,} annotated frame / taken back: {n:,} annotated frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message numerus="yes">
@@ -3019,14 +3045,14 @@ Pierde {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track</source>
+   <source>finding line points …  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>buscando pintura a lo largo del seguimiento</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
+   <source>no frame was annotated: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>no se aceptó ninguna imagen: se ve demasiado poco de sus líneas</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
@@ -3052,6 +3078,19 @@ Pierde {loses}.</translation>
    <source>taken back: no frame is accepted</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>retirado: ninguna imagen está aceptada</translation>
+  </message>
+  <message>
+   <source>no frame was annotated: no camera is sure</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first</source>
+   <extracomment>{n:,} frame is not sure: Alt+PgDown shows it / {n:,} frames are not sure: Alt+PgDown goes through them, the least sure first [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
@@ -3191,9 +3230,9 @@ Pierde {loses}.</translation>
    <translation>Mantenerlo fijado</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <source>mark the frame first: camera wrong, labels wrong or fine</source>
    <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>dé primero un veredicto: fallo de la cámara, fallo de la anotación o correcto</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
@@ -3430,7 +3469,7 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>none</source>
-   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <extracomment>[procc_annotator/gui/field_preview.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>ninguna</translation>
   </message>
   <message>
@@ -3764,9 +3803,9 @@ Pierde {loses}.</translation>
    <translation>Elegir otro lugar…</translation>
   </message>
   <message>
-   <source>Save again</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Guardar de nuevo</translation>
+   <source>Save copies to…</source>
+   <extracomment>[procc_annotator/gui/messages.py, the action save_copies]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copy details</source>
@@ -3774,9 +3813,32 @@ Pierde {loses}.</translation>
    <translation>Copiar detalles</translation>
   </message>
   <message>
+   <source>Show the next</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{what} is there already, and says something else.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} ya existe y dice otra cosa.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} comments on this frame are not settled.</source>
+   <extracomment>{n} comment on this frame is not settled. / {n} comments on this frame are not settled. [procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>A tick in the Review panel settles a comment.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{n:,} of {total:,} frames are not done.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} frames are not saved, and saving failed again just now.</source>
@@ -3795,6 +3857,31 @@ Pierde {loses}.</translation>
    <source>Write what you see on screen over the file</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Escribir lo que ve en pantalla sobre el archivo</translation>
+  </message>
+  <message>
+   <source>Export all</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Done only</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Quitar este mensaje</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Recargar lo suyo</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Sobrescribir con lo mío</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
@@ -3817,9 +3904,14 @@ Pierde {loses}.</translation>
    <translation>Reemplazarlo</translation>
   </message>
   <message>
-   <source>Close and lose them</source>
+   <source>Do not approve</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Cerrar y perderlas</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Approve</source>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
+   <translation>Aprobar</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -3827,19 +3919,9 @@ Pierde {loses}.</translation>
    <translation>Quedarse</translation>
   </message>
   <message>
-   <source>Dismiss this message</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Quitar este mensaje</translation>
-  </message>
-  <message>
-   <source>Reload theirs</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Recargar lo suyo</translation>
-  </message>
-  <message>
-   <source>Overwrite with mine</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Sobrescribir con lo mío</translation>
+   <translation>Cerrar y perderlas</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -4197,9 +4279,9 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
    </translation>
   </message>
   <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>sin cámara</translation>
+   <source>none judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>several models</source>
@@ -4248,10 +4330,9 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   </message>
   <message>
    <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+Load a folder of camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
-   <translation>No hay cámaras cargadas.
-Cargue una carpeta de archivos de cámara de SoccerNet o de homografías para verlas juzgadas con sus clics.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Load folder…</source>
@@ -4497,14 +4578,44 @@ Clase en los archivos: {name}</translation>
    <translation>Las flechas eligen elementos</translation>
   </message>
   <message>
+   <source>far</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>right</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>near</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>left</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Siguiente: {title}, {before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
-   <source>Click an element to choose its class</source>
+   <source>Click an element</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation>Haga clic en un elemento para elegir su clase</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>{shown:,} de {frames}</translation>
+  </message>
+  <message>
+   <source>Show all frames</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Error</source>
@@ -4547,9 +4658,9 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    <translation>No hay nada anotado en esta imagen.</translation>
   </message>
   <message>
-   <source>Nothing found by the rules that need no camera.</source>
+   <source>No problems so far.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Las reglas que no necesitan cámara no hallaron nada.</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
@@ -4565,14 +4676,14 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    <translation>Ciego: los hallazgos que necesitan cámara esperan hasta entregar esta imagen (Ctrl+Intro).</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <source>The live fit is off: the full check needs it.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>El ajuste continuo está desactivado: solo se miran las reglas que no necesitan cámara.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <source>Full check needs a camera: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Aún no se ajusta ninguna cámara ({why}): solo se miran las reglas que no la necesitan.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
@@ -4914,11 +5025,6 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
     <numerusform>{n} abierto</numerusform>
     <numerusform>{n} abiertos</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
-   <translation>{shown:,} de {frames}</translation>
   </message>
   <message>
    <source>all done</source>
@@ -5481,31 +5587,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>(sin puntuación)</translation>
   </message>
   <message>
-   <source>This frame has not been edited here</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Nadie ha editado aquí esta imagen</translation>
-  </message>
-  <message>
-   <source>Begun, not done</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Empezada, no terminada</translation>
-  </message>
-  <message>
-   <source>The annotator is done (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>El anotador ha terminado (Ctrl+Intro)</translation>
-  </message>
-  <message>
-   <source>A reviewer found it right (Ctrl+Shift+A)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Un revisor la dio por buena (Ctrl+Mayús+A)</translation>
-  </message>
-  <message>
-   <source>A reviewer sent it back (Ctrl+Shift+X)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Un revisor la devolvió (Ctrl+Mayús+X)</translation>
-  </message>
-  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Entregada en modo ciego, y como estaba entonces.</translation>
@@ -5546,9 +5627,29 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>{minutes}:{seconds:02d} min</translation>
   </message>
   <message>
+   <source>This frame is right (Ctrl+Shift+A)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Send it back (Ctrl+Shift+X)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reject</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, the action reject]</extracomment>
+   <translation>Rechazar</translation>
+  </message>
+  <message>
    <source>No comments on this frame.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>No hay comentarios sobre esta imagen.</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{frame} está {status}</translation>
   </message>
   <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
@@ -5571,11 +5672,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Puntos: ninguno</translation>
   </message>
   <message numerus="yes">
-   <source>to be confirmed (Shift+V): {n:,} copied elements</source>
-   <extracomment>to be confirmed (Shift+V): {n:,} copied element / to be confirmed (Shift+V): {n:,} copied elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>
-    <numerusform>por confirmar (Mayús+V): {n:,} elemento copiado</numerusform>
-    <numerusform>por confirmar (Mayús+V): {n:,} elementos copiados</numerusform>
+   <source>to be confirmed (Shift+V): {n:,} elements</source>
+   <extracomment>to be confirmed (Shift+V): {n:,} element / to be confirmed (Shift+V): {n:,} elements [procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -5654,22 +5755,16 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>El menor tau del control con que pasa, px</translation>
   </message>
   <message>
-   <source>Camera</source>
+   <source>Camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Cámara</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation</source>
+   <source>Labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Anotación</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Correcto</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
@@ -5784,9 +5879,9 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Cuenta como {class_name}</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>Verdict</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Fallo</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5901,6 +5996,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>open a folder of pictures first</source>
    <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
    <translation>abra primero una carpeta de imágenes</translation>
+  </message>
+  <message>
+   <source>choose the camera to judge first (C)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -6138,9 +6238,9 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>ningún otro campo conoce mejor estas clases</translation>
   </message>
   <message>
-   <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
+   <source>{folder} cannot be written: what is annotated here has to be saved elsewhere (File &gt; Save copies to…)</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>no se puede escribir en {folder}: nada de lo que se anote aquí se puede guardar</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
@@ -6161,6 +6261,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>el campo de este conjunto: {field}</translation>
+  </message>
+  <message>
+   <source>the filter shows no further frame this way</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
@@ -6286,9 +6391,9 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>la anotación no se puede leer</translation>
   </message>
   <message>
-   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <source>Enter runs it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Intro lo ejecuta · ↑ ↓ eligen · Esc cierra</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panel</source>
@@ -6558,9 +6663,9 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
    <translation>Ninguna tecla</translation>
   </message>
   <message>
-   <source>Usual keys</source>
+   <source>Default keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Teclas habituales</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Import…</source>
@@ -6789,6 +6894,11 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Estado de esta imagen (panel Revisión)</translation>
   </message>
   <message>
+   <source>JaC – {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Con qué se calcula la puntuación: {terms}</translation>
@@ -6807,11 +6917,6 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    </translation>
   </message>
   <message>
-   <source>Top bar</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Barra superior</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Campo: {field}</translation>
@@ -6820,11 +6925,6 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Clic para elegir otro</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6837,9 +6937,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Umbral tau</translation>
   </message>
   <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; del ajuste</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no changes</source>
@@ -6847,19 +6952,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>sin cambios</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;ciego&lt;/b&gt;: entregar para ver el JaC</translation>
-  </message>
-  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Suelte aquí una carpeta de imágenes</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved as JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
-   <translation>Las anotaciones se leen y guardan como JSON de SoccerNet junto a las imágenes. Suelte más tarde una carpeta de cámaras para verlas juzgadas con sus clics.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Open recent</source>
@@ -6917,9 +7017,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Buscar en los ajustes</translation>
   </message>
   <message>
-   <source>All to their defaults</source>
+   <source>Reset all</source>
    <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
-   <translation>Todo por defecto</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>none of your own</source>
@@ -6978,21 +7078,6 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <comment>desk</comment>
    <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Revisar</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Abrir los gráficos bajo la imagen</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Cerrar los gráficos</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Puestos de trabajo</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -7092,24 +7177,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    </translation>
   </message>
   <message>
-   <source>click, Enter and Esc do nothing yet</source>
+   <source>click to draw; choose its class afterwards</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>clic, Intro y Esc aún no hacen nada</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Backspace removes the last point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>un clic empieza una línea que se nombra después</translation>
-  </message>
-  <message>
-   <source>choose an element: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>elija un elemento: mapa del campo, lista, su tecla o /</translation>
-  </message>
-  <message>
-   <source>Backspace takes back the last point</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Retroceso retira el último punto</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
@@ -7117,19 +7192,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>un clic lo marca y pasa a {title}</translation>
   </message>
   <message>
-   <source>Enter does nothing</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Intro no hace nada</translation>
-  </message>
-  <message>
    <source>release drops it here</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>al soltar queda aquí</translation>
   </message>
   <message>
-   <source>click or drag a point, drag on empty ground to choose several</source>
+   <source>click or drag a point, drag elsewhere to select several</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>clic o arrastre en un punto; arrastre en un lugar vacío para elegir varios</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7150,21 +7220,6 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <source>GHOST {title}</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>FANTASMA {title}</translation>
-  </message>
-  <message>
-   <source>GHOST the next one comes</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>FANTASMA llega el siguiente</translation>
-  </message>
-  <message>
-   <source>Esc goes back</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc vuelve</translation>
-  </message>
-  <message>
-   <source>Tab goes on</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Tab sigue</translation>
   </message>
   <message>
    <source>GHOST the next one comes in a moment</source>
@@ -7188,9 +7243,19 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    </translation>
   </message>
   <message>
+   <source>Shift+Enter: accept all</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Mayús+Intro: aceptar todos</translation>
+  </message>
+  <message>
    <source>Enter accepts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro lo acepta</translation>
+  </message>
+  <message>
+   <source>Tab goes on</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Tab sigue</translation>
   </message>
   <message>
    <source>. not visible here</source>
@@ -7198,19 +7263,24 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>. no visible aquí</translation>
   </message>
   <message>
-   <source>Shift+Enter: all</source>
+   <source>Esc goes back</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Mayús+Intro: todos</translation>
+   <translation>Esc vuelve</translation>
   </message>
   <message>
-   <source>or choose its element first: field map, list, its key or /</source>
+   <source>/ finds an element</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>o elija antes su elemento: mapa del campo, lista, su tecla o /</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>DRAW</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>DIBUJAR</translation>
+  </message>
+  <message>
+   <source>choose an element: field map, list, its key or /</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>elija un elemento: mapa del campo, lista, su tecla o /</translation>
   </message>
   <message numerus="yes">
    <source>DRAW a line, {n} points</source>
@@ -7221,9 +7291,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    </translation>
   </message>
   <message>
-   <source>Enter or double-click finishes and asks its name</source>
+   <source>Enter or double-click finishes, then choose the class</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Intro o doble clic termina y pregunta el nombre</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
@@ -7259,11 +7329,6 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>DIBUJAR {title}</translation>
   </message>
   <message>
-   <source>Enter does nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Intro aún no hace nada</translation>
-  </message>
-  <message>
    <source>Enter confirms it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Intro lo confirma</translation>
@@ -7282,9 +7347,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    </translation>
   </message>
   <message>
-   <source>click begins it</source>
+   <source>click starts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>un clic lo empieza</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
@@ -7297,11 +7362,11 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Intro confirma {title}</translation>
   </message>
   <message numerus="yes">
-   <source>Esc lets go of {n} points</source>
-   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interaction/hints.py]</extracomment>
-   <translation>
-    <numerusform>Esc suelta el punto</numerusform>
-    <numerusform>Esc suelta {n} puntos</numerusform>
+   <source>Esc deselects {n} points</source>
+   <extracomment>Esc deselects the point / Esc deselects {n} points [procc_annotator/interaction/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -7310,9 +7375,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>EDITAR</translation>
   </message>
   <message>
-   <source>release chooses all points inside</source>
+   <source>release selects all points inside</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>al soltar se eligen todos los puntos de dentro</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
@@ -7345,9 +7410,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>un clic no hace nada: no hay puntos que editar, dibuje antes un elemento</translation>
   </message>
   <message>
-   <source>click a point to drag it, next to it to deselect</source>
+   <source>click a point to drag it, elsewhere to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>clic en un punto para arrastrarlo, al lado para soltarlo</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
@@ -7358,14 +7423,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    </translation>
   </message>
   <message>
-   <source>click begins it by hand</source>
+   <source>click draws it by hand</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>un clic lo empieza a mano</translation>
-  </message>
-  <message>
-   <source>BLIND</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>CIEGO</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
@@ -7376,14 +7436,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    </translation>
   </message>
   <message>
-   <source>Enter does nothing: no line is found along it</source>
+   <source>no line found along it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Intro no hace nada: no se halla ninguna línea en él</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Intro y Esc aún no hacen nada</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7416,9 +7471,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>un clic lo marca</translation>
   </message>
   <message>
-   <source>hold Ctrl to click off the line</source>
+   <source>hold Ctrl: no snapping</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>mantenga Ctrl para marcar junto a la línea</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Delete removes {title}</source>
@@ -7439,14 +7494,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    </translation>
   </message>
   <message>
-   <source>Esc takes the new point away</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc quita el punto nuevo</translation>
-  </message>
-  <message>
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>SOLO LECTURA</translation>
+  </message>
+  <message>
+   <source>BLIND</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>CIEGO</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7454,24 +7509,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Mayús+Intro termina y se queda</translation>
   </message>
   <message>
-   <source>Enter and Esc do nothing</source>
+   <source>Esc removes the new point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Intro y Esc no hacen nada</translation>
-  </message>
-  <message>
-   <source>Esc gives up</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc abandona</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Esc lets go</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc suelta</translation>
-  </message>
-  <message>
-   <source>Shift+Enter: accept all</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Mayús+Intro: aceptar todos</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7679,6 +7724,11 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Cada cambio terminado se guarda al momento; esto vuelve a intentar lo que falló</translation>
   </message>
   <message>
+   <source>Write what could not be saved in its own place to another folder</source>
+   <extracomment>[the action save_copies]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Import annotations…</source>
    <extracomment>[the action import_annotations]</extracomment>
    <translation>Importar anotaciones…</translation>
@@ -7699,14 +7749,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Escribir las anotaciones para otro programa: CVAT, labelme, COCO, SoccerNet, máscaras</translation>
   </message>
   <message>
-   <source>Export SoccerNet JSON…</source>
+   <source>Export annotations as JSON…</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>Exportar JSON de SoccerNet…</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Write the annotations of all frames as a folder or zip of SoccerNet JSON</source>
+   <source>Write the annotations of all frames as a folder or zip of JSON files</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>Escribir las anotaciones de todas las imágenes como carpeta o zip de JSON de SoccerNet</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Export JaC of the set…</source>
@@ -7964,9 +8014,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Imagen siguiente</translation>
   </message>
   <message>
-   <source>Show the next picture</source>
+   <source>Show the next picture, of those that the filter shows</source>
    <extracomment>[the action next_frame]</extracomment>
-   <translation>Mostrar la imagen siguiente</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Previous frame</source>
@@ -7974,9 +8024,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Imagen anterior</translation>
   </message>
   <message>
-   <source>Show the previous picture</source>
+   <source>Show the previous picture, of those that the filter shows</source>
    <extracomment>[the action previous_frame]</extracomment>
-   <translation>Mostrar la imagen anterior</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Next unfinished</source>
@@ -8139,9 +8189,19 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Anota las imágenes del plano, o del tramo marcado en la tira, según su seguimiento; se omiten las anotadas, y las dudosas salvo que se pulse otra vez</translation>
   </message>
   <message>
-   <source>Take back the accepted stretch</source>
+   <source>Annotate all that is sure</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotate every frame of the dataset whose camera is found and sure, in one step; Next doubtful frame (Alt+PgDown) then goes through the others, the least sure first</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Take back what was accepted last</source>
    <extracomment>[the action take_back_stretch]</extracomment>
-   <translation>Retirar el tramo aceptado</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Frames that were accepted last and not edited since are as they were before</source>
@@ -8259,19 +8319,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Esta imagen está terminada; en modo ciego eso muestra la proyección</translation>
   </message>
   <message>
-   <source>Approve</source>
-   <extracomment>[the action approve]</extracomment>
-   <translation>Aprobar</translation>
-  </message>
-  <message>
    <source>A reviewer finds this frame right</source>
    <extracomment>[the action approve]</extracomment>
    <translation>Un revisor da por buena esta imagen</translation>
-  </message>
-  <message>
-   <source>Reject</source>
-   <extracomment>[the action reject]</extracomment>
-   <translation>Rechazar</translation>
   </message>
   <message>
    <source>A reviewer sends this frame back; say why in a comment</source>
@@ -8339,14 +8389,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Tomar elementos de la imagen anotada antes, movidos como se movió la cámara; esperan confirmación</translation>
   </message>
   <message>
-   <source>Confirm all copied elements</source>
+   <source>Confirm all unconfirmed elements</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>Confirmar todos los elementos copiados</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Copied elements count and are saved from now on</source>
+   <source>Copied and unfinished elements count and are saved from now on</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>Los elementos copiados cuentan y se guardan desde ahora</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Drop unconfirmed elements</source>
@@ -8354,9 +8404,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Descartar elementos sin confirmar</translation>
   </message>
   <message>
-   <source>Remove copied elements that were not edited</source>
+   <source>Remove copied and unfinished elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
-   <translation>Tirar lo que se copió y nadie tocó</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Regularise all elements</source>
@@ -8464,9 +8514,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Quitar el elemento seleccionado con todos sus puntos</translation>
   </message>
   <message>
-   <source>Confirm copied element</source>
+   <source>Confirm element</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation>Confirmar elemento copiado</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
@@ -8624,9 +8674,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Cuánto de su línea pintada debe verse para aceptar un fantasma junto con los demás</translation>
   </message>
   <message>
-   <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
+   <source>The ghost or the chosen element cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation>El fantasma, o el elemento elegido, no se ve en esta imagen; otra vez lo retira</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Take back “not visible here”</source>
@@ -8829,9 +8879,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Girar el mapa hacia la cámara</translation>
   </message>
   <message>
-   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation>El mapa tiene abajo el lado en que está la cámara, y lo que esta no ve es tenue; la mitad fuera de vista deja su sitio a la otra</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Picture on the field map</source>
@@ -8849,14 +8899,24 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Tira de imágenes</translation>
   </message>
   <message>
-   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
+   <source>Below the picture: thumbnails of the frames, or the timeline of a video</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>Bajo la imagen: en un vídeo o en imágenes seguidas, cómo van sus cámaras y dónde están anotadas</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
+   <source>List of frames</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show the frames with their names and a filter at the left, instead of the strip; once more closes the list</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Errors and JaC of the frame or the set, of all shown sources</source>
    <extracomment>[the action plots]</extracomment>
-   <translation>Errores y JaC de la imagen o del conjunto como gráficos, de todas las fuentes mostradas, en un cajón bajo la imagen; otra vez lo cierra</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -9114,9 +9174,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Las porterías, canastas y redes que una homografía no puede proyectar no se cuentan</translation>
   </message>
   <message>
-   <source>Camera fault</source>
+   <source>Camera wrong</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation>Fallo de la cámara</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
@@ -9124,9 +9184,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>La cámara activa está mal en esta imagen; otra vez retira el veredicto</translation>
   </message>
   <message>
-   <source>Annotation fault</source>
+   <source>Labels wrong</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation>Fallo de la anotación</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
@@ -9134,9 +9194,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Los clics están mal en esta imagen; otra vez retira el veredicto</translation>
   </message>
   <message>
-   <source>Fine</source>
+   <source>OK</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation>Correcto</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
@@ -9214,14 +9274,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Tema</translation>
   </message>
   <message>
-   <source>Light, dark, or as the system has it</source>
+   <source>Light, dark or system</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>Claro, oscuro, o como el sistema</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>As the system</source>
+   <source>System</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>Como el sistema</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Light</source>
@@ -9234,14 +9294,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Oscuro</translation>
   </message>
   <message>
-   <source>Size of texts</source>
+   <source>Text size</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>Tamaño de los textos</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>How large texts are, of what the system says; from the next start on</source>
+   <source>Text size, % of system (after restart)</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>Lo grandes que son los textos respecto a lo que dice el sistema; desde el próximo inicio</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Language</source>
@@ -9249,9 +9309,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Idioma</translation>
   </message>
   <message>
-   <source>The language of the window; from the next start on. Files stay as they are</source>
+   <source>Language of the window (after restart); files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation>El idioma de la ventana; desde el próximo inicio. Los archivos quedan como están</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9259,14 +9319,14 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Lo que dicen los colores sobre la imagen</translation>
   </message>
   <message>
-   <source>Your name</source>
+   <source>Author name</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>Su nombre</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Whose name points, comments and versions bear; empty: that of the system's user</source>
+   <source>Author name (empty = login name)</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>El nombre que llevan puntos, comentarios y versiones; vacío: el del usuario del sistema</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Judging</source>

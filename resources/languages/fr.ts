@@ -64,16 +64,6 @@
    <translation>les éléments sont en moyenne à {after:.1f} px, à {before:.1f} px tels quels</translation>
   </message>
   <message>
-   <source>look at point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>aller voir le point {number}</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>le point {number} de {title} est à {off:.0f} px, ses autres points au plus à {rest:.1f} px</translation>
-  </message>
-  <message>
    <source>two points are exchanged: the one of {some} and the one of {others}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>deux points sont échangés : celui de {some} et celui de {others}</translation>
@@ -97,16 +87,6 @@
    <source>relabel {steps}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>renommer : {steps}</translation>
-  </message>
-  <message>
-   <source>remove point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>retirer le point {number}</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>le point {number} de {title} est à {off:.0f} px, son autre point au plus à {rest:.1f} px</translation>
   </message>
   <message>
    <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
@@ -227,11 +207,11 @@
    </translation>
   </message>
   <message numerus="yes">
-   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
-   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>
-    <numerusform>{title} a {n} point ; moins de {least} ne déterminent pas d’ellipse</numerusform>
-    <numerusform>{title} a {n} points ; moins de {least} ne déterminent pas d’ellipse</numerusform>
+   <source>{title} has {n} points: {least} points needed for a curve</source>
+   <extracomment>{title} has {n} point: {least} points needed for a curve / {title} has {n} points: {least} points needed for a curve [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -253,6 +233,16 @@
    <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
    <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>{a} et {b} sont l’un sur l’autre, à moins de {px:.0f} px : une ligne sous deux noms ?</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>retirer le point {number}</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>aller voir le point {number}</translation>
   </message>
   <message>
    <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
@@ -282,9 +272,9 @@
    <translation>à {title} il manque {px:.0f} px pour atteindre {what}</translation>
   </message>
   <message>
-   <source>put its points along the paint</source>
+   <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>mettre ses points le long de la peinture</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
@@ -292,29 +282,39 @@
    <translation>à {title} il manque {px:.0f} px pour atteindre {what}, et {px_2:.0f} px pour atteindre {what_2} à l’autre bout</translation>
   </message>
   <message>
-   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} est droit entre ses clics, sa peinture passe jusqu’à {px:.0f} px à côté : régularisez-le (R)</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <source>one end of {title} is {px:.0f} px off the line. Move it onto the paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>un bout de {title} est à environ {px:.0f} px de sa peinture, qui se voit en chemin : mettez ce point dessus</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <source>{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends? Press R</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>pas de peinture sous {title} sur {percent:.0f} %, au plus {px:.0f} px d’affilée</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>pas de peinture sous {title} vers l’un de ses bouts, sous tout le reste il y en a</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>look at it</source>
    <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
    <translation>aller voir</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>le point {number} de {title} est à {off:.0f} px, ses autres points au plus à {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>le point {number} de {title} est à {off:.0f} px, son autre point au plus à {rest:.1f} px</translation>
   </message>
   <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
@@ -362,14 +362,14 @@
    <translation>la peinture voisine ôterait un piquet de sa place</translation>
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <source>{name} is {px:.0f} px off its line, and {more} more are off theirs</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name} est à {px:.0f} px de sa peinture, comme {more} autres de la leur</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint</source>
+   <source>{name} is {px:.0f} px off its line</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name} est à {px:.0f} px de sa peinture</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -481,39 +481,39 @@
    <translation>identique vue de l’autre bout</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>a different view fits almost as well</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>une autre caméra qui montre d’autres lignes convient presque aussi bien à l’image</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>lines are missing that should be in sight</source>
+   <source>expected lines are missing</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>il manque des lignes qui devraient se voir</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>there is paint where the field has none</source>
+   <source>some lines in the picture do not match the field</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>il y a de la peinture là où le terrain n’en a pas</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>too few lines are in sight to tell</source>
+   <source>too few lines in view</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>trop peu de lignes en vue pour le dire</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>cameras hardly stand there</source>
+   <source>unusual camera position</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>les caméras ne se tiennent guère là</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the lines in sight leave the camera open</source>
+   <source>the visible lines do not determine the camera</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>les lignes en vue ne déterminent pas la caméra</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
+   <source>{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>{lines:.0f} % des lignes en vue sont sur de la peinture, ce qui explique {paint:.0f} % de la peinture du terrain</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -521,14 +521,14 @@
    <translation>est-ce bien {field}, et pas un autre sport ? {why}</translation>
   </message>
   <message>
-   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <source>no camera fits the lines (best: {shares})</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>aucune caméra ne convient à la peinture de cette image : pour la meilleure {shares}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <source>the picture is nearly square: its pixels may not be</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>l’image est presque carrée, comme une image comprimée : ses pixels ne sont peut-être pas carrés</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -774,16 +774,22 @@
    <translation>correct</translation>
   </message>
   <message>
-   <source>camera fault</source>
+   <source>camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>faute de la caméra</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>annotation fault</source>
+   <source>labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>faute de l’annotation</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>OK</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>taken back</source>
@@ -967,6 +973,11 @@
    <translation>Ctrl+Z l’annule</translation>
   </message>
   <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>Image</translation>
+  </message>
+  <message>
    <source>PAN</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>DÉPLACER</translation>
@@ -977,19 +988,9 @@
    <translation>glisser déplace l’image</translation>
   </message>
   <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>clic et Entrée ne font rien</translation>
-  </message>
-  <message>
    <source>Esc takes the tool again</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>Échap reprend l’outil</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>Image</translation>
   </message>
   <message>
    <source>load a second set of cameras to blink between two (Ctrl+L)</source>
@@ -1023,7 +1024,7 @@
   </message>
   <message>
    <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
    <translation>suivant : {title}</translation>
   </message>
   <message>
@@ -1035,19 +1036,6 @@
    <source>{title} has no points in this frame: choose the element to delete</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>{title} n’a pas de points sur cette image : choisissez l’élément à supprimer</translation>
-  </message>
-  <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>1 clic de {title} sur {frame} est conservé, non confirmé : y choisir l’élément pour continuer</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>{title} terminé avec {n} point sur {frame}</numerusform>
-    <numerusform>{title} terminé avec {n} points sur {frame}</numerusform>
-   </translation>
   </message>
   <message>
    <source>choose the element to delete first: field map, list, or its key</source>
@@ -1062,18 +1050,23 @@
     <numerusform>{n} points de {title} abandonnés</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>{title} terminé avec {n} point</numerusform>
-    <numerusform>{title} terminé avec {n} points</numerusform>
-   </translation>
-  </message>
   <message>
    <source>{titles}: changed elsewhere, look again first</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>{titles} : changé ailleurs, regardez d’abord</translation>
+  </message>
+  <message numerus="yes">
+   <source>kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on</source>
+   <extracomment>kept {n} click of {title} on {frame}, unfinished: choose it there to go on / kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>finished {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>How good the fitted camera is</source>
@@ -1169,9 +1162,9 @@
    <translation>Recherche de la caméra dans l’image …</translation>
   </message>
   <message>
-   <source>No camera found: {why}</source>
+   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>Aucune caméra trouvée : {why}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1413,6 +1406,11 @@
    </translation>
   </message>
   <message>
+   <source>Another element…</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>La laisser sans nom</translation>
@@ -1617,7 +1615,7 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/messages.py]</extracomment>
    <translation>Abandonner</translation>
   </message>
   <message>
@@ -1736,14 +1734,27 @@ Perd {loses}.</translation>
    <translation>Archive zip (*.zip);;Dossier (*)</translation>
   </message>
   <message>
+   <source>Save copies to</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>copied {n:,} frames to {folder}; they are not saved in their own place yet</source>
+   <extracomment>copied {n:,} frame to {folder}; it is not saved in its own place yet / copied {n:,} frames to {folder}; they are not saved in their own place yet [procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
    <source>Table (*.csv);;JSON (*.json)</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Table (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation>Exporter la vue d’ensemble</translation>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>Table (*.csv)</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
@@ -1787,6 +1798,11 @@ Perd {loses}.</translation>
    <source>What the format cannot hold</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>Ce que le format ne peut pas contenir</translation>
+  </message>
+  <message>
+   <source>everything is saved in its own place</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no camera to save: {why}</source>
@@ -1833,11 +1849,6 @@ Perd {loses}.</translation>
     <numerusform>{n:,} fichier illisible : {problem}</numerusform>
     <numerusform>{n:,} fichiers illisibles : {problem}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Table (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
@@ -2067,14 +2078,14 @@ Perd {loses}.</translation>
    <translation>{place} sur {total}, les pires d’abord : désaccord médian {value:.2f} m</translation>
   </message>
   <message>
+   <source>{place} of {total}, the least sure first</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no other frame is rejected</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>aucune autre image n’est rejetée</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>{frame} est {status}</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2100,6 +2111,11 @@ Perd {loses}.</translation>
    <source>no shot was followed yet (T)</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>aucun plan n’a encore été suivi (T)</translation>
+  </message>
+  <message>
+   <source>no other frame is unsure</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>these frames do not follow one another</source>
@@ -2167,9 +2183,9 @@ Perd {loses}.</translation>
    <translation>{source} et {other} sont comparées</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>skipped (under {least:.0%} visible): {ghosts}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>laissés, moins de {least:.0%} de la ligne se voit : {ghosts}</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -2264,9 +2280,9 @@ Perd {loses}.</translation>
    <translation>la caméra est en cours d’ajustement : acceptez ses fantômes dans un instant</translation>
   </message>
   <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <source>no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>aucun fantôme accepté, moins de {least:.0%} de la ligne se voit : {ghosts} ; Tab les parcourt</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -2895,7 +2911,7 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>Frames</source>
-   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>Images</translation>
   </message>
   <message>
@@ -2967,9 +2983,19 @@ Perd {loses}.</translation>
    <translation>aucune image à accepter : suivez d’abord le plan (T)</translation>
   </message>
   <message>
+   <source>the shot is still being followed: wait for its end, or stop it (T), then accept</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no frame to accept: all that were followed are annotated</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>aucune image à accepter : toutes celles qui ont été suivies sont annotées</translation>
+  </message>
+  <message>
+   <source>every frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
@@ -2985,16 +3011,16 @@ Perd {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
+   <source>finding line points: {done} of {total} frames  ·  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>recherche de peinture le long du suivi : {done} images sur {total}</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} image acceptée le long du suivi</numerusform>
-    <numerusform>{n:,} images acceptées le long du suivi</numerusform>
+   <source>annotated {n:,} frames</source>
+   <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -3003,11 +3029,11 @@ Perd {loses}.</translation>
    <translation>Ctrl+Z les annule</translation>
   </message>
   <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>annulé : {n:,} image acceptée le long du suivi</numerusform>
-    <numerusform>annulé : {n:,} images acceptées le long du suivi</numerusform>
+   <source>taken back: {n:,} annotated frames</source>
+   <extracomment>taken back: {n:,} annotated frame / taken back: {n:,} annotated frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message numerus="yes">
@@ -3019,14 +3045,14 @@ Perd {loses}.</translation>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track</source>
+   <source>finding line points …  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>recherche de peinture le long du suivi</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
+   <source>no frame was annotated: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>aucune image acceptée : trop peu de leurs lignes se voit</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
@@ -3052,6 +3078,19 @@ Perd {loses}.</translation>
    <source>taken back: no frame is accepted</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>annulé : aucune image n’est acceptée</translation>
+  </message>
+  <message>
+   <source>no frame was annotated: no camera is sure</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first</source>
+   <extracomment>{n:,} frame is not sure: Alt+PgDown shows it / {n:,} frames are not sure: Alt+PgDown goes through them, the least sure first [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
@@ -3191,9 +3230,9 @@ Perd {loses}.</translation>
    <translation>Le laisser imposé</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <source>mark the frame first: camera wrong, labels wrong or fine</source>
    <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>jugez d’abord l’image : faute de la caméra, faute de l’annotation ou correct</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
@@ -3430,7 +3469,7 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>none</source>
-   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <extracomment>[procc_annotator/gui/field_preview.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>aucune</translation>
   </message>
   <message>
@@ -3764,9 +3803,9 @@ Perd {loses}.</translation>
    <translation>Choisir un autre lieu…</translation>
   </message>
   <message>
-   <source>Save again</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Enregistrer à nouveau</translation>
+   <source>Save copies to…</source>
+   <extracomment>[procc_annotator/gui/messages.py, the action save_copies]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copy details</source>
@@ -3774,9 +3813,32 @@ Perd {loses}.</translation>
    <translation>Copier les détails</translation>
   </message>
   <message>
+   <source>Show the next</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{what} is there already, and says something else.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} existe déjà, et dit autre chose.</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} comments on this frame are not settled.</source>
+   <extracomment>{n} comment on this frame is not settled. / {n} comments on this frame are not settled. [procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>A tick in the Review panel settles a comment.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{n:,} of {total:,} frames are not done.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} frames are not saved, and saving failed again just now.</source>
@@ -3795,6 +3857,31 @@ Perd {loses}.</translation>
    <source>Write what you see on screen over the file</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>Écrire ce que vous voyez par-dessus le fichier</translation>
+  </message>
+  <message>
+   <source>Export all</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Done only</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Fermer ce message</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Recharger les leurs</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Écraser avec les miennes</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
@@ -3817,9 +3904,14 @@ Perd {loses}.</translation>
    <translation>Le remplacer</translation>
   </message>
   <message>
-   <source>Close and lose them</source>
+   <source>Do not approve</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Fermer et les perdre</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Approve</source>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
+   <translation>Approuver</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -3827,19 +3919,9 @@ Perd {loses}.</translation>
    <translation>Rester</translation>
   </message>
   <message>
-   <source>Dismiss this message</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Fermer ce message</translation>
-  </message>
-  <message>
-   <source>Reload theirs</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Recharger les leurs</translation>
-  </message>
-  <message>
-   <source>Overwrite with mine</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>Écraser avec les miennes</translation>
+   <translation>Fermer et les perdre</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -4197,9 +4279,9 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
    </translation>
   </message>
   <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>pas de caméra</translation>
+   <source>none judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>several models</source>
@@ -4248,10 +4330,9 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   </message>
   <message>
    <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+Load a folder of camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
-   <translation>Aucune caméra chargée.
-Chargez un dossier de fichiers de caméra SoccerNet ou d’homographies pour les voir jugées d’après vos clics.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Load folder…</source>
@@ -4497,14 +4578,44 @@ Classe dans les fichiers : {name}</translation>
    <translation>Les flèches choisissent les éléments</translation>
   </message>
   <message>
+   <source>far</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>right</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>near</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>left</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>Suivant : {title}, {before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
-   <source>Click an element to choose its class</source>
+   <source>Click an element</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation>Cliquez un élément pour choisir sa classe</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>{shown:,} sur {frames}</translation>
+  </message>
+  <message>
+   <source>Show all frames</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Error</source>
@@ -4547,9 +4658,9 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    <translation>Rien n’est annoté sur cette image.</translation>
   </message>
   <message>
-   <source>Nothing found by the rules that need no camera.</source>
+   <source>No problems so far.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Les règles qui se passent de caméra n’ont rien trouvé.</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
@@ -4565,14 +4676,14 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    <translation>Aveugle : les constats qui demandent une caméra attendent la remise de cette image (Ctrl+Entrée).</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <source>The live fit is off: the full check needs it.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>L’ajustement continu est désactivé : seules les règles sans caméra sont appliquées.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <source>Full check needs a camera: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Aucune caméra ne s’ajuste encore ({why}) : seules les règles qui s’en passent sont appliquées.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
@@ -4914,11 +5025,6 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
     <numerusform>{n} ouvert</numerusform>
     <numerusform>{n} ouverts</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
-   <translation>{shown:,} sur {frames}</translation>
   </message>
   <message>
    <source>all done</source>
@@ -5481,31 +5587,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>(sans score)</translation>
   </message>
   <message>
-   <source>This frame has not been edited here</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Personne n’a encore modifié cette image ici</translation>
-  </message>
-  <message>
-   <source>Begun, not done</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Commencée, pas terminée</translation>
-  </message>
-  <message>
-   <source>The annotator is done (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>L’annotateur a terminé (Ctrl+Entrée)</translation>
-  </message>
-  <message>
-   <source>A reviewer found it right (Ctrl+Shift+A)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Un relecteur l’a trouvée correcte (Ctrl+Maj+A)</translation>
-  </message>
-  <message>
-   <source>A reviewer sent it back (Ctrl+Shift+X)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Un relecteur l’a renvoyée (Ctrl+Maj+X)</translation>
-  </message>
-  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Remise en mode aveugle, et restée telle quelle.</translation>
@@ -5546,9 +5627,29 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>{minutes}:{seconds:02d} min</translation>
   </message>
   <message>
+   <source>This frame is right (Ctrl+Shift+A)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Send it back (Ctrl+Shift+X)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reject</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, the action reject]</extracomment>
+   <translation>Rejeter</translation>
+  </message>
+  <message>
    <source>No comments on this frame.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Aucun commentaire sur cette image.</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{frame} est {status}</translation>
   </message>
   <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
@@ -5571,11 +5672,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Points : aucun</translation>
   </message>
   <message numerus="yes">
-   <source>to be confirmed (Shift+V): {n:,} copied elements</source>
-   <extracomment>to be confirmed (Shift+V): {n:,} copied element / to be confirmed (Shift+V): {n:,} copied elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>
-    <numerusform>à confirmer (Maj+V) : {n:,} élément copié</numerusform>
-    <numerusform>à confirmer (Maj+V) : {n:,} éléments copiés</numerusform>
+   <source>to be confirmed (Shift+V): {n:,} elements</source>
+   <extracomment>to be confirmed (Shift+V): {n:,} element / to be confirmed (Shift+V): {n:,} elements [procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -5654,22 +5755,16 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Le plus petit tau du curseur auquel il passe, px</translation>
   </message>
   <message>
-   <source>Camera</source>
+   <source>Camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Caméra</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation</source>
+   <source>Labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Annotation</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Correct</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
@@ -5784,9 +5879,9 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Compte comme {class_name}</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>Verdict</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>Faute</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5901,6 +5996,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>open a folder of pictures first</source>
    <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
    <translation>ouvrez d’abord un dossier d’images</translation>
+  </message>
+  <message>
+   <source>choose the camera to judge first (C)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -6138,9 +6238,9 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>aucun autre terrain ne connaît mieux ces classes</translation>
   </message>
   <message>
-   <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
+   <source>{folder} cannot be written: what is annotated here has to be saved elsewhere (File &gt; Save copies to…)</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>impossible d’écrire dans {folder} : rien de ce qui est annoté ici ne peut être enregistré</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
@@ -6161,6 +6261,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>le terrain de ce jeu : {field}</translation>
+  </message>
+  <message>
+   <source>the filter shows no further frame this way</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
@@ -6286,9 +6391,9 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>l’annotation est illisible</translation>
   </message>
   <message>
-   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <source>Enter runs it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Entrée exécute · ↑ ↓ choisissent · Échap ferme</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panel</source>
@@ -6558,9 +6663,9 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
    <translation>Aucune touche</translation>
   </message>
   <message>
-   <source>Usual keys</source>
+   <source>Default keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>Touches habituelles</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Import…</source>
@@ -6789,6 +6894,11 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>État de cette image (panneau Relecture)</translation>
   </message>
   <message>
+   <source>JaC – {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Avec quoi le score est calculé : {terms}</translation>
@@ -6807,11 +6917,6 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    </translation>
   </message>
   <message>
-   <source>Top bar</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>Barre supérieure</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Terrain : {field}</translation>
@@ -6820,11 +6925,6 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Cliquer pour en choisir un autre</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6837,9 +6937,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Seuil tau</translation>
   </message>
   <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; de l’ajustement</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no changes</source>
@@ -6847,19 +6952,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>aucun changement</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;aveugle&lt;/b&gt; : remettre pour voir le JaC</translation>
-  </message>
-  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Déposez un dossier d’images ici</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved as JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
-   <translation>Les annotations sont lues et enregistrées en JSON SoccerNet à côté des images. Déposez plus tard un dossier de caméras pour les voir jugées d’après vos clics.</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Open recent</source>
@@ -6917,9 +7017,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Chercher dans les paramètres</translation>
   </message>
   <message>
-   <source>All to their defaults</source>
+   <source>Reset all</source>
    <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
-   <translation>Tout par défaut</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>none of your own</source>
@@ -6978,21 +7078,6 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <comment>desk</comment>
    <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>Relire</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Ouvrir les graphiques sous l’image</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Fermer les graphiques</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Postes de travail</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -7092,24 +7177,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    </translation>
   </message>
   <message>
-   <source>click, Enter and Esc do nothing yet</source>
+   <source>click to draw; choose its class afterwards</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>clic, Entrée et Échap ne font encore rien</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Backspace removes the last point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>un clic commence une ligne qui sera nommée ensuite</translation>
-  </message>
-  <message>
-   <source>choose an element: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>choisissez un élément : plan du terrain, liste, touche ou /</translation>
-  </message>
-  <message>
-   <source>Backspace takes back the last point</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Retour arrière retire le dernier point</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
@@ -7117,19 +7192,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>un clic le marque et passe à {title}</translation>
   </message>
   <message>
-   <source>Enter does nothing</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Entrée ne fait rien</translation>
-  </message>
-  <message>
    <source>release drops it here</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>relâcher le dépose ici</translation>
   </message>
   <message>
-   <source>click or drag a point, drag on empty ground to choose several</source>
+   <source>click or drag a point, drag elsewhere to select several</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>cliquer ou glisser un point ; glisser sur un endroit vide pour en choisir plusieurs</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7150,21 +7220,6 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <source>GHOST {title}</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>FANTÔME {title}</translation>
-  </message>
-  <message>
-   <source>GHOST the next one comes</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>FANTÔME le suivant arrive</translation>
-  </message>
-  <message>
-   <source>Esc goes back</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Échap revient</translation>
-  </message>
-  <message>
-   <source>Tab goes on</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Tab continue</translation>
   </message>
   <message>
    <source>GHOST the next one comes in a moment</source>
@@ -7188,9 +7243,19 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    </translation>
   </message>
   <message>
+   <source>Shift+Enter: accept all</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Maj+Entrée : tout accepter</translation>
+  </message>
+  <message>
    <source>Enter accepts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Entrée l’accepte</translation>
+  </message>
+  <message>
+   <source>Tab goes on</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Tab continue</translation>
   </message>
   <message>
    <source>. not visible here</source>
@@ -7198,19 +7263,24 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>. pas visible ici</translation>
   </message>
   <message>
-   <source>Shift+Enter: all</source>
+   <source>Esc goes back</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Maj+Entrée : tous</translation>
+   <translation>Échap revient</translation>
   </message>
   <message>
-   <source>or choose its element first: field map, list, its key or /</source>
+   <source>/ finds an element</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>ou choisissez d’abord son élément : plan du terrain, liste, touche ou /</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>DRAW</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>DESSINER</translation>
+  </message>
+  <message>
+   <source>choose an element: field map, list, its key or /</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>choisissez un élément : plan du terrain, liste, touche ou /</translation>
   </message>
   <message numerus="yes">
    <source>DRAW a line, {n} points</source>
@@ -7221,9 +7291,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    </translation>
   </message>
   <message>
-   <source>Enter or double-click finishes and asks its name</source>
+   <source>Enter or double-click finishes, then choose the class</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Entrée ou double-clic termine et demande son nom</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
@@ -7259,11 +7329,6 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>DESSINER {title}</translation>
   </message>
   <message>
-   <source>Enter does nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Entrée ne fait encore rien</translation>
-  </message>
-  <message>
    <source>Enter confirms it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Entrée le confirme</translation>
@@ -7282,9 +7347,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    </translation>
   </message>
   <message>
-   <source>click begins it</source>
+   <source>click starts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>un clic le commence</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
@@ -7297,11 +7362,11 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Entrée confirme {title}</translation>
   </message>
   <message numerus="yes">
-   <source>Esc lets go of {n} points</source>
-   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interaction/hints.py]</extracomment>
-   <translation>
-    <numerusform>Échap lâche le point</numerusform>
-    <numerusform>Échap lâche {n} points</numerusform>
+   <source>Esc deselects {n} points</source>
+   <extracomment>Esc deselects the point / Esc deselects {n} points [procc_annotator/interaction/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -7310,9 +7375,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>ÉDITER</translation>
   </message>
   <message>
-   <source>release chooses all points inside</source>
+   <source>release selects all points inside</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>relâcher choisit tous les points à l’intérieur</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
@@ -7345,9 +7410,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>un clic ne fait rien : il n’y a pas de points à éditer, dessinez d’abord un élément</translation>
   </message>
   <message>
-   <source>click a point to drag it, next to it to deselect</source>
+   <source>click a point to drag it, elsewhere to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>cliquer un point pour le glisser, à côté pour le lâcher</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
@@ -7358,14 +7423,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    </translation>
   </message>
   <message>
-   <source>click begins it by hand</source>
+   <source>click draws it by hand</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>un clic le commence à la main</translation>
-  </message>
-  <message>
-   <source>BLIND</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>AVEUGLE</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
@@ -7376,14 +7436,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    </translation>
   </message>
   <message>
-   <source>Enter does nothing: no line is found along it</source>
+   <source>no line found along it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Entrée ne fait rien : aucune ligne n’est trouvée dessus</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Entrée et Échap ne font encore rien</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7416,9 +7471,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>un clic le marque</translation>
   </message>
   <message>
-   <source>hold Ctrl to click off the line</source>
+   <source>hold Ctrl: no snapping</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>tenir Ctrl pour cliquer à côté de la ligne</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Delete removes {title}</source>
@@ -7439,14 +7494,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    </translation>
   </message>
   <message>
-   <source>Esc takes the new point away</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Échap enlève le nouveau point</translation>
-  </message>
-  <message>
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>LECTURE SEULE</translation>
+  </message>
+  <message>
+   <source>BLIND</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>AVEUGLE</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7454,24 +7509,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Maj+Entrée termine et reste</translation>
   </message>
   <message>
-   <source>Enter and Esc do nothing</source>
+   <source>Esc removes the new point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Entrée et Échap ne font rien</translation>
-  </message>
-  <message>
-   <source>Esc gives up</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Échap abandonne</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Esc lets go</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Échap lâche</translation>
-  </message>
-  <message>
-   <source>Shift+Enter: accept all</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Maj+Entrée : tout accepter</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7679,6 +7724,11 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Toute modification terminée est enregistrée aussitôt ; ceci réessaie ce qui a échoué</translation>
   </message>
   <message>
+   <source>Write what could not be saved in its own place to another folder</source>
+   <extracomment>[the action save_copies]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Import annotations…</source>
    <extracomment>[the action import_annotations]</extracomment>
    <translation>Importer des annotations…</translation>
@@ -7699,14 +7749,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Écrire les annotations pour un autre programme : CVAT, labelme, COCO, SoccerNet, masques</translation>
   </message>
   <message>
-   <source>Export SoccerNet JSON…</source>
+   <source>Export annotations as JSON…</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>Exporter en JSON SoccerNet…</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Write the annotations of all frames as a folder or zip of SoccerNet JSON</source>
+   <source>Write the annotations of all frames as a folder or zip of JSON files</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>Écrire les annotations de toutes les images dans un dossier ou un zip de JSON SoccerNet</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Export JaC of the set…</source>
@@ -7964,9 +8014,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Image suivante</translation>
   </message>
   <message>
-   <source>Show the next picture</source>
+   <source>Show the next picture, of those that the filter shows</source>
    <extracomment>[the action next_frame]</extracomment>
-   <translation>Afficher l’image suivante</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Previous frame</source>
@@ -7974,9 +8024,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Image précédente</translation>
   </message>
   <message>
-   <source>Show the previous picture</source>
+   <source>Show the previous picture, of those that the filter shows</source>
    <extracomment>[the action previous_frame]</extracomment>
-   <translation>Afficher l’image précédente</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Next unfinished</source>
@@ -8139,9 +8189,19 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Annote les images du plan, ou de la portion marquée sur la bande, d’après leur suivi ; les images annotées sont omises, les douteuses aussi sauf si l’on appuie encore une fois</translation>
   </message>
   <message>
-   <source>Take back the accepted stretch</source>
+   <source>Annotate all that is sure</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotate every frame of the dataset whose camera is found and sure, in one step; Next doubtful frame (Alt+PgDown) then goes through the others, the least sure first</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Take back what was accepted last</source>
    <extracomment>[the action take_back_stretch]</extracomment>
-   <translation>Revenir sur le passage accepté</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Frames that were accepted last and not edited since are as they were before</source>
@@ -8259,19 +8319,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Cette image est terminée ; en mode aveugle, cela montre la projection</translation>
   </message>
   <message>
-   <source>Approve</source>
-   <extracomment>[the action approve]</extracomment>
-   <translation>Approuver</translation>
-  </message>
-  <message>
    <source>A reviewer finds this frame right</source>
    <extracomment>[the action approve]</extracomment>
    <translation>Un relecteur trouve cette image correcte</translation>
-  </message>
-  <message>
-   <source>Reject</source>
-   <extracomment>[the action reject]</extracomment>
-   <translation>Rejeter</translation>
   </message>
   <message>
    <source>A reviewer sends this frame back; say why in a comment</source>
@@ -8339,14 +8389,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Reprendre les éléments de l’image annotée avant, déplacés comme la caméra ; ils attendent d’être confirmés</translation>
   </message>
   <message>
-   <source>Confirm all copied elements</source>
+   <source>Confirm all unconfirmed elements</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>Confirmer tous les éléments copiés</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Copied elements count and are saved from now on</source>
+   <source>Copied and unfinished elements count and are saved from now on</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>Les éléments copiés comptent et sont enregistrés désormais</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Drop unconfirmed elements</source>
@@ -8354,9 +8404,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Écarter les éléments non confirmés</translation>
   </message>
   <message>
-   <source>Remove copied elements that were not edited</source>
+   <source>Remove copied and unfinished elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
-   <translation>Jeter ce qui a été copié et que personne n’a touché</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Regularise all elements</source>
@@ -8464,9 +8514,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Retirer l’élément sélectionné avec tous ses points</translation>
   </message>
   <message>
-   <source>Confirm copied element</source>
+   <source>Confirm element</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation>Confirmer l’élément copié</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
@@ -8624,9 +8674,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Quelle part de sa ligne peinte doit se voir pour qu’un fantôme soit accepté avec tous les autres</translation>
   </message>
   <message>
-   <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
+   <source>The ghost or the chosen element cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation>Le fantôme, ou l’élément choisi, ne se voit pas sur cette image ; une fois de plus revient dessus</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Take back “not visible here”</source>
@@ -8829,9 +8879,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Tourner le plan vers la caméra</translation>
   </message>
   <message>
-   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation>Le plan a en bas le côté où se tient la caméra, et ce qu’elle ne voit pas est pâle ; la moitié hors de vue laisse sa place à l’autre</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Picture on the field map</source>
@@ -8849,14 +8899,24 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Bande d’images</translation>
   </message>
   <message>
-   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
+   <source>Below the picture: thumbnails of the frames, or the timeline of a video</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>Sous l’image : pour une vidéo ou des images qui se suivent, ce que valent leurs caméras et où elles sont annotées</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
+   <source>List of frames</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show the frames with their names and a filter at the left, instead of the strip; once more closes the list</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Errors and JaC of the frame or the set, of all shown sources</source>
    <extracomment>[the action plots]</extracomment>
-   <translation>Erreurs et JaC de l’image ou du jeu en graphiques, pour toutes les sources affichées, dans un tiroir sous l’image ; une fois de plus le ferme</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -9114,9 +9174,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Les buts, paniers et filets qu’une homographie ne peut pas projeter ne sont pas comptés</translation>
   </message>
   <message>
-   <source>Camera fault</source>
+   <source>Camera wrong</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation>Faute de la caméra</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
@@ -9124,9 +9184,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>La caméra active est fausse sur cette image ; une fois de plus retire le verdict</translation>
   </message>
   <message>
-   <source>Annotation fault</source>
+   <source>Labels wrong</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation>Faute de l’annotation</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
@@ -9134,9 +9194,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Les clics sont faux sur cette image ; une fois de plus retire le verdict</translation>
   </message>
   <message>
-   <source>Fine</source>
+   <source>OK</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation>Correct</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
@@ -9214,14 +9274,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Thème</translation>
   </message>
   <message>
-   <source>Light, dark, or as the system has it</source>
+   <source>Light, dark or system</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>Clair, sombre, ou comme le système</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>As the system</source>
+   <source>System</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>Comme le système</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Light</source>
@@ -9234,14 +9294,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Sombre</translation>
   </message>
   <message>
-   <source>Size of texts</source>
+   <source>Text size</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>Taille des textes</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>How large texts are, of what the system says; from the next start on</source>
+   <source>Text size, % of system (after restart)</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>La taille des textes, par rapport à celle du système ; dès le prochain démarrage</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Language</source>
@@ -9249,9 +9309,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Langue</translation>
   </message>
   <message>
-   <source>The language of the window; from the next start on. Files stay as they are</source>
+   <source>Language of the window (after restart); files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation>La langue de la fenêtre ; dès le prochain démarrage. Les fichiers restent ce qu’ils sont</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9259,14 +9319,14 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Ce que disent les couleurs sur l’image</translation>
   </message>
   <message>
-   <source>Your name</source>
+   <source>Author name</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>Votre nom</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Whose name points, comments and versions bear; empty: that of the system's user</source>
+   <source>Author name (empty = login name)</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>Le nom que portent points, commentaires et versions ; vide : celui de l’utilisateur du système</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Judging</source>

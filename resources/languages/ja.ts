@@ -64,16 +64,6 @@
    <translation>要素のずれは平均 {after:.1f} px、今のままでは {before:.1f} px</translation>
   </message>
   <message>
-   <source>look at point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>点 {number} を確認する</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>{title} の点 {number} は {off:.0f} px ずれています（ほかの点は最大 {rest:.1f} px）</translation>
-  </message>
-  <message>
    <source>two points are exchanged: the one of {some} and the one of {others}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>2 つの点が入れ替わっています：{some} の点と {others} の点</translation>
@@ -97,16 +87,6 @@
    <source>relabel {steps}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>クラスを変更：{steps}</translation>
-  </message>
-  <message>
-   <source>remove point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>点 {number} を取り除く</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>{title} の点 {number} は {off:.0f} px ずれています（もう 1 点は最大 {rest:.1f} px）</translation>
   </message>
   <message>
    <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
@@ -223,10 +203,10 @@
    </translation>
   </message>
   <message numerus="yes">
-   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
-   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>
-    <numerusform>{title} の点は {n} 個です。{least} 個未満では楕円が決まりません</numerusform>
+   <source>{title} has {n} points: {least} points needed for a curve</source>
+   <extracomment>{title} has {n} point: {least} points needed for a curve / {title} has {n} points: {least} points needed for a curve [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -248,6 +228,16 @@
    <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
    <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>{a} と {b} が {px:.0f} px 未満の間隔で重なっています。1 本の線に 2 つの名前ですか？</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>点 {number} を取り除く</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>点 {number} を確認する</translation>
   </message>
   <message>
    <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
@@ -277,9 +267,9 @@
    <translation>{title} は{what}まで {px:.0f} px 届いていません</translation>
   </message>
   <message>
-   <source>put its points along the paint</source>
+   <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>点を塗りに沿って置く</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
@@ -287,29 +277,39 @@
    <translation>{title} は{what}まで {px:.0f} px、反対の端では{what_2}まで {px_2:.0f} px 届いていません</translation>
   </message>
   <message>
-   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} はクリックの間が直線ですが、塗りは最大 {px:.0f} px 横を通っています。整えてください（R）</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <source>one end of {title} is {px:.0f} px off the line. Move it onto the paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} の端が塗りから約 {px:.0f} px 横にずれています。途中の塗りは見えています。その点を塗りの上に置いてください</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <source>{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends? Press R</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} の {percent:.0f} % で下に塗りがありません（続けて最大 {px:.0f} px）</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} の片方の端の側で下に塗りがありません。ほかの部分にはあります</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>look at it</source>
    <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
    <translation>確認する</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>{title} の点 {number} は {off:.0f} px ずれています（ほかの点は最大 {rest:.1f} px）</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>{title} の点 {number} は {off:.0f} px ずれています（もう 1 点は最大 {rest:.1f} px）</translation>
   </message>
   <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
@@ -357,14 +357,14 @@
    <translation>近くの塗りが杭をその場所からずらしてしまいます</translation>
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <source>{name} is {px:.0f} px off its line, and {more} more are off theirs</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name} が塗りから {px:.0f} px ずれています（ほか {more} 個も）</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint</source>
+   <source>{name} is {px:.0f} px off its line</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name} が塗りから {px:.0f} px ずれています</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -473,39 +473,39 @@
    <translation>反対側から見ても同じ</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>a different view fits almost as well</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>別の線を写す別のカメラも画像にほぼ同じくらい合います</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>lines are missing that should be in sight</source>
+   <source>expected lines are missing</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>見えるはずの線が欠けています</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>there is paint where the field has none</source>
+   <source>some lines in the picture do not match the field</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>フィールドにないはずの所に塗りがあります</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>too few lines are in sight to tell</source>
+   <source>too few lines in view</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>見える線が少なすぎて判断できません</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>cameras hardly stand there</source>
+   <source>unusual camera position</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>カメラがそこにあることはほとんどありません</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the lines in sight leave the camera open</source>
+   <source>the visible lines do not determine the camera</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>見える線だけではカメラが定まりません</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
+   <source>{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>見える線の {lines:.0f} % が塗りの上にあり、フィールドの塗りの {paint:.0f} % を説明します</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -513,14 +513,14 @@
    <translation>これは {field} で、ほかの競技ではありませんか？ {why}</translation>
   </message>
   <message>
-   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <source>no camera fits the lines (best: {shares})</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>この画像の塗りに合うカメラがありません：最良のものでも{shares}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <source>the picture is nearly square: its pixels may not be</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>画像がほぼ正方形で、押し縮められた可能性があります：画素が正方形でないかもしれません</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -766,16 +766,22 @@
    <translation>問題なし</translation>
   </message>
   <message>
-   <source>camera fault</source>
+   <source>camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>カメラの誤り</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>annotation fault</source>
+   <source>labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>注釈の誤り</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>OK</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>taken back</source>
@@ -957,6 +963,11 @@
    <translation>Ctrl+Z で取り消し</translation>
   </message>
   <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>画像</translation>
+  </message>
+  <message>
    <source>PAN</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>移動</translation>
@@ -967,19 +978,9 @@
    <translation>ドラッグで画像を動かす</translation>
   </message>
   <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>クリックと Enter は何もしません</translation>
-  </message>
-  <message>
    <source>Esc takes the tool again</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>Esc でツールに戻る</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>画像</translation>
   </message>
   <message>
    <source>load a second set of cameras to blink between two (Ctrl+L)</source>
@@ -1013,7 +1014,7 @@
   </message>
   <message>
    <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
    <translation>次：{title}</translation>
   </message>
   <message>
@@ -1027,18 +1028,6 @@
    <translation>{title} の点はこのフレームにありません。削除する要素を選んでください</translation>
   </message>
   <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>{frame} の {title} のクリック 1 つを未確認で保持しました：続けるにはそこで要素を選んでください</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>{frame} の {title} を {n} 点で終えました</numerusform>
-   </translation>
-  </message>
-  <message>
    <source>choose the element to delete first: field map, list, or its key</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>まず削除する要素を選んでください：フィールド図、一覧、またはそのキー</translation>
@@ -1050,17 +1039,22 @@
     <numerusform>{title} の {n} 点を捨てました</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>{title} を {n} 点で終えました</numerusform>
-   </translation>
-  </message>
   <message>
    <source>{titles}: changed elsewhere, look again first</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>{titles}：別の場所で変更されました。もう一度確認してください</translation>
+  </message>
+  <message numerus="yes">
+   <source>kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on</source>
+   <extracomment>kept {n} click of {title} on {frame}, unfinished: choose it there to go on / kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>finished {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>How good the fitted camera is</source>
@@ -1155,9 +1149,9 @@
    <translation>画像からカメラを探しています…</translation>
   </message>
   <message>
-   <source>No camera found: {why}</source>
+   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>カメラが見つかりません：{why}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1391,6 +1385,11 @@
    </translation>
   </message>
   <message>
+   <source>Another element…</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>名前を付けない</translation>
@@ -1594,7 +1593,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/messages.py]</extracomment>
    <translation>取り消し</translation>
   </message>
   <message>
@@ -1708,14 +1707,26 @@ Loses {loses}.</source>
    <translation>zip (*.zip);;フォルダー (*)</translation>
   </message>
   <message>
+   <source>Save copies to</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>copied {n:,} frames to {folder}; they are not saved in their own place yet</source>
+   <extracomment>copied {n:,} frame to {folder}; it is not saved in its own place yet / copied {n:,} frames to {folder}; they are not saved in their own place yet [procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+   </translation>
+  </message>
+  <message>
    <source>Table (*.csv);;JSON (*.json)</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>表 (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation>概要を書き出す</translation>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>表 (*.csv)</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
@@ -1760,6 +1771,11 @@ Loses {loses}.</source>
    <translation>この形式で保持できないもの</translation>
   </message>
   <message>
+   <source>everything is saved in its own place</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no camera to save: {why}</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>保存するカメラがありません：{why}</translation>
@@ -1802,11 +1818,6 @@ Loses {loses}.</source>
    <translation>
     <numerusform>{n:,} ファイルを読めませんでした：{problem}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>表 (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
@@ -2032,14 +2043,14 @@ Loses {loses}.</source>
    <translation>{total} 中 {place} 番目に悪い：不一致の中央値 {value:.2f} m</translation>
   </message>
   <message>
+   <source>{place} of {total}, the least sure first</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no other frame is rejected</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>ほかに差し戻しのフレームはありません</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>{frame} は{status}です</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2065,6 +2076,11 @@ Loses {loses}.</source>
    <source>no shot was followed yet (T)</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>まだショットを追跡していません（T）</translation>
+  </message>
+  <message>
+   <source>no other frame is unsure</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>these frames do not follow one another</source>
@@ -2132,9 +2148,9 @@ Loses {loses}.</source>
    <translation>{source} と {other} を比較しました</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>skipped (under {least:.0%} visible): {ghosts}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>線の見え方が {least:.0%} 未満のため残したもの：{ghosts}</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -2225,9 +2241,9 @@ Loses {loses}.</source>
    <translation>カメラを当てはめ中です。ゴーストは少し後で採用してください</translation>
   </message>
   <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <source>no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>採用したゴーストはありません。線の見え方が {least:.0%} 未満：{ghosts}。Tab で順に見ます</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -2844,7 +2860,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>Frames</source>
-   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>フレーム</translation>
   </message>
   <message>
@@ -2915,9 +2931,19 @@ Loses {loses}.</source>
    <translation>受け入れるフレームがありません。先にショットを追跡してください（T）</translation>
   </message>
   <message>
+   <source>the shot is still being followed: wait for its end, or stop it (T), then accept</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no frame to accept: all that were followed are annotated</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>受け入れるフレームがありません。追跡したフレームはすべて注釈済みです</translation>
+  </message>
+  <message>
+   <source>every frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
@@ -2932,15 +2958,15 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
+   <source>finding line points: {done} of {total} frames  ·  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>追跡に沿って塗りを探しています：{total} 中 {done} フレーム</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>追跡に沿って {n:,} フレームを採用しました</numerusform>
+   <source>annotated {n:,} frames</source>
+   <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -2949,10 +2975,10 @@ Loses {loses}.</source>
    <translation>Ctrl+Z で取り消し</translation>
   </message>
   <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>取り消しました：追跡に沿って採用した {n:,} フレーム</numerusform>
+   <source>taken back: {n:,} annotated frames</source>
+   <extracomment>taken back: {n:,} annotated frame / taken back: {n:,} annotated frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message numerus="yes">
@@ -2963,14 +2989,14 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track</source>
+   <source>finding line points …  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>追跡に沿って塗りを探しています</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
+   <source>no frame was annotated: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>採用したフレームはありません：線がほとんど見えません</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
@@ -2996,6 +3022,18 @@ Loses {loses}.</source>
    <source>taken back: no frame is accepted</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>取り消しました：採用したフレームはありません</translation>
+  </message>
+  <message>
+   <source>no frame was annotated: no camera is sure</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first</source>
+   <extracomment>{n:,} frame is not sure: Alt+PgDown shows it / {n:,} frames are not sure: Alt+PgDown goes through them, the least sure first [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
@@ -3131,9 +3169,9 @@ Loses {loses}.</source>
    <translation>固定したままにする</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <source>mark the frame first: camera wrong, labels wrong or fine</source>
    <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>まずフレームを判定してください：カメラの誤り、注釈の誤り、または問題なし</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
@@ -3363,7 +3401,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>none</source>
-   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <extracomment>[procc_annotator/gui/field_preview.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>なし</translation>
   </message>
   <message>
@@ -3697,9 +3735,9 @@ Loses {loses}.</source>
    <translation>別の場所を選ぶ…</translation>
   </message>
   <message>
-   <source>Save again</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>もう一度保存</translation>
+   <source>Save copies to…</source>
+   <extracomment>[procc_annotator/gui/messages.py, the action save_copies]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copy details</source>
@@ -3707,9 +3745,31 @@ Loses {loses}.</source>
    <translation>詳細をコピー</translation>
   </message>
   <message>
+   <source>Show the next</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{what} is there already, and says something else.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} はすでにあり、内容が異なります。</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} comments on this frame are not settled.</source>
+   <extracomment>{n} comment on this frame is not settled. / {n} comments on this frame are not settled. [procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>A tick in the Review panel settles a comment.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{n:,} of {total:,} frames are not done.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} frames are not saved, and saving failed again just now.</source>
@@ -3727,6 +3787,31 @@ Loses {loses}.</source>
    <source>Write what you see on screen over the file</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>画面の内容をファイルに上書きします</translation>
+  </message>
+  <message>
+   <source>Export all</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Done only</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>このメッセージを閉じる</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>相手の内容を読み込む</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>自分の内容で上書き</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
@@ -3749,9 +3834,14 @@ Loses {loses}.</source>
    <translation>置き換える</translation>
   </message>
   <message>
-   <source>Close and lose them</source>
+   <source>Do not approve</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>閉じて失う</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Approve</source>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
+   <translation>承認</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -3759,19 +3849,9 @@ Loses {loses}.</source>
    <translation>とどまる</translation>
   </message>
   <message>
-   <source>Dismiss this message</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>このメッセージを閉じる</translation>
-  </message>
-  <message>
-   <source>Reload theirs</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>相手の内容を読み込む</translation>
-  </message>
-  <message>
-   <source>Overwrite with mine</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>自分の内容で上書き</translation>
+   <translation>閉じて失う</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -4117,9 +4197,9 @@ procc-annotator track は動画全体を追跡してカメラを書き出しま�
    </translation>
   </message>
   <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>カメラなし</translation>
+   <source>none judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>several models</source>
@@ -4168,10 +4248,9 @@ procc-annotator track は動画全体を追跡してカメラを書き出しま�
   </message>
   <message>
    <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+Load a folder of camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
-   <translation>カメラが読み込まれていません。
-SoccerNet のカメラファイルまたはホモグラフィのフォルダーを読み込むと、クリックと照らして評価します。</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Load folder…</source>
@@ -4417,14 +4496,44 @@ Class in files: {name}</source>
    <translation>矢印キーで要素を選びます</translation>
   </message>
   <message>
+   <source>far</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>right</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>near</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>left</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>次：{title}、{before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
-   <source>Click an element to choose its class</source>
+   <source>Click an element</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation>要素をクリックするとクラスを選べます</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>{frames} 中 {shown:,}</translation>
+  </message>
+  <message>
+   <source>Show all frames</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Error</source>
@@ -4466,9 +4575,9 @@ Open a folder of pictures to check their labels.</source>
    <translation>このフレームには何も注釈されていません。</translation>
   </message>
   <message>
-   <source>Nothing found by the rules that need no camera.</source>
+   <source>No problems so far.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>カメラの要らない規則では指摘はありません。</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
@@ -4483,14 +4592,14 @@ Open a folder of pictures to check their labels.</source>
    <translation>ブラインド：カメラの要る指摘は、このフレームを提出するまで出ません（Ctrl+Enter）。</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <source>The live fit is off: the full check needs it.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>自動当てはめがオフです：カメラの要らない規則だけを調べます。</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <source>Full check needs a camera: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>まだ合うカメラがありません（{why}）：カメラの要らない規則だけを調べます。</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
@@ -4822,11 +4931,6 @@ Open a folder of pictures to check their labels.</source>
    <translation>
     <numerusform>未解決 {n}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
-   <translation>{frames} 中 {shown:,}</translation>
   </message>
   <message>
    <source>all done</source>
@@ -5385,31 +5489,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>（スコアなし）</translation>
   </message>
   <message>
-   <source>This frame has not been edited here</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>ここではまだ誰も編集していません</translation>
-  </message>
-  <message>
-   <source>Begun, not done</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>着手済み、未完了</translation>
-  </message>
-  <message>
-   <source>The annotator is done (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>注釈者が完了しました（Ctrl+Enter）</translation>
-  </message>
-  <message>
-   <source>A reviewer found it right (Ctrl+Shift+A)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>レビュー担当が正しいと認めました（Ctrl+Shift+A）</translation>
-  </message>
-  <message>
-   <source>A reviewer sent it back (Ctrl+Shift+X)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>レビュー担当が差し戻しました（Ctrl+Shift+X）</translation>
-  </message>
-  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>ブラインドモードで提出され、そのままです。</translation>
@@ -5450,9 +5529,29 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{minutes}:{seconds:02d} 分</translation>
   </message>
   <message>
+   <source>This frame is right (Ctrl+Shift+A)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Send it back (Ctrl+Shift+X)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reject</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, the action reject]</extracomment>
+   <translation>差し戻し</translation>
+  </message>
+  <message>
    <source>No comments on this frame.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>このフレームにコメントはありません。</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{frame} は{status}です</translation>
   </message>
   <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
@@ -5475,10 +5574,10 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>点：なし</translation>
   </message>
   <message numerus="yes">
-   <source>to be confirmed (Shift+V): {n:,} copied elements</source>
-   <extracomment>to be confirmed (Shift+V): {n:,} copied element / to be confirmed (Shift+V): {n:,} copied elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>
-    <numerusform>確定待ち（Shift+V）：コピーした要素 {n:,} 個</numerusform>
+   <source>to be confirmed (Shift+V): {n:,} elements</source>
+   <extracomment>to be confirmed (Shift+V): {n:,} element / to be confirmed (Shift+V): {n:,} elements [procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -5557,22 +5656,16 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>合格となるスライダーの最小の tau、px</translation>
   </message>
   <message>
-   <source>Camera</source>
+   <source>Camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>カメラ</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation</source>
+   <source>Labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>注釈</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>問題なし</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
@@ -5687,9 +5780,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{class_name} として数える</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>Verdict</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>誤り</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5804,6 +5897,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>open a folder of pictures first</source>
    <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
    <translation>まず画像のフォルダーを開いてください</translation>
+  </message>
+  <message>
+   <source>choose the camera to judge first (C)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -6041,9 +6139,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>ここのクラスにこれ以上合うフィールドはありません</translation>
   </message>
   <message>
-   <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
+   <source>{folder} cannot be written: what is annotated here has to be saved elsewhere (File &gt; Save copies to…)</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>{folder} に書き込めません：ここでの注釈は保存できません</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
@@ -6064,6 +6162,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>このデータセットのフィールド：{field}</translation>
+  </message>
+  <message>
+   <source>the filter shows no further frame this way</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
@@ -6188,9 +6291,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>注釈を読めません</translation>
   </message>
   <message>
-   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <source>Enter runs it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Enter で実行 · ↑ ↓ で選択 · Esc で閉じる</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panel</source>
@@ -6460,9 +6563,9 @@ ProCC プロトコルによるスポーツカメラ校正の注釈と監査。</
    <translation>キーなし</translation>
   </message>
   <message>
-   <source>Usual keys</source>
+   <source>Default keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>標準のキー</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Import…</source>
@@ -6691,6 +6794,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>このフレームの状態（レビューパネル）</translation>
   </message>
   <message>
+   <source>JaC – {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>スコアの計算条件：{terms}</translation>
@@ -6708,11 +6816,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>Top bar</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>上部バー</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>フィールド：{field}</translation>
@@ -6721,11 +6824,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>クリックで別のものを選択</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6738,9 +6836,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>しきい値 tau</translation>
   </message>
   <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>当てはめの &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no changes</source>
@@ -6748,19 +6851,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>変更なし</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;ブラインド&lt;/b&gt;：提出すると JaC が見えます</translation>
-  </message>
-  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>画像のフォルダーをここにドロップ</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved as JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
-   <translation>注釈は画像の横の SoccerNet JSON から読み込み、そこに保存します。後でカメラのフォルダーをドロップすると、クリックと照らして評価します。</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Open recent</source>
@@ -6818,9 +6916,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>設定を検索</translation>
   </message>
   <message>
-   <source>All to their defaults</source>
+   <source>Reset all</source>
    <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
-   <translation>すべて既定値に</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>none of your own</source>
@@ -6879,21 +6977,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <comment>desk</comment>
    <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>レビュー</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>画像の下にグラフを開く</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>グラフを閉じる</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>作業画面</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -6989,24 +7072,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>click, Enter and Esc do nothing yet</source>
+   <source>click to draw; choose its class afterwards</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>クリック、Enter、Esc はまだ働きません</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Backspace removes the last point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>クリックで線を描き始め、後で名付ける</translation>
-  </message>
-  <message>
-   <source>choose an element: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>要素を選ぶ：フィールド図、一覧、そのキー、または /</translation>
-  </message>
-  <message>
-   <source>Backspace takes back the last point</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Backspace で最後の点を取り消す</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
@@ -7014,19 +7087,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>クリックで印を付け、{title} へ進む</translation>
   </message>
   <message>
-   <source>Enter does nothing</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Enter は何もしません</translation>
-  </message>
-  <message>
    <source>release drops it here</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>離すとここに置く</translation>
   </message>
   <message>
-   <source>click or drag a point, drag on empty ground to choose several</source>
+   <source>click or drag a point, drag elsewhere to select several</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点をクリックまたはドラッグ、何もない所をドラッグで複数選択</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7049,21 +7117,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>ゴースト {title}</translation>
   </message>
   <message>
-   <source>GHOST the next one comes</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>ゴースト 次が来ます</translation>
-  </message>
-  <message>
-   <source>Esc goes back</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc で戻る</translation>
-  </message>
-  <message>
-   <source>Tab goes on</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Tab で次へ</translation>
-  </message>
-  <message>
    <source>GHOST the next one comes in a moment</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>ゴースト 次がまもなく来ます</translation>
@@ -7083,9 +7136,19 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
+   <source>Shift+Enter: accept all</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Shift+Enter：すべて採用</translation>
+  </message>
+  <message>
    <source>Enter accepts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Enter で採用</translation>
+  </message>
+  <message>
+   <source>Tab goes on</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Tab で次へ</translation>
   </message>
   <message>
    <source>. not visible here</source>
@@ -7093,19 +7156,24 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>. ここでは見えない</translation>
   </message>
   <message>
-   <source>Shift+Enter: all</source>
+   <source>Esc goes back</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Shift+Enter：すべて</translation>
+   <translation>Esc で戻る</translation>
   </message>
   <message>
-   <source>or choose its element first: field map, list, its key or /</source>
+   <source>/ finds an element</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>または先に要素を選ぶ：フィールド図、一覧、そのキー、または /</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>DRAW</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>描画</translation>
+  </message>
+  <message>
+   <source>choose an element: field map, list, its key or /</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>要素を選ぶ：フィールド図、一覧、そのキー、または /</translation>
   </message>
   <message numerus="yes">
    <source>DRAW a line, {n} points</source>
@@ -7115,9 +7183,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>Enter or double-click finishes and asks its name</source>
+   <source>Enter or double-click finishes, then choose the class</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Enter またはダブルクリックで終え、名前を選ぶ</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
@@ -7152,11 +7220,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>描画 {title}</translation>
   </message>
   <message>
-   <source>Enter does nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Enter はまだ働きません</translation>
-  </message>
-  <message>
    <source>Enter confirms it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Enter で確定</translation>
@@ -7174,9 +7237,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>click begins it</source>
+   <source>click starts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>クリックで描き始める</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
@@ -7189,10 +7252,10 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>Enter で {title} を確定</translation>
   </message>
   <message numerus="yes">
-   <source>Esc lets go of {n} points</source>
-   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interaction/hints.py]</extracomment>
-   <translation>
-    <numerusform>Esc で {n} 点の選択を解除</numerusform>
+   <source>Esc deselects {n} points</source>
+   <extracomment>Esc deselects the point / Esc deselects {n} points [procc_annotator/interaction/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -7201,9 +7264,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>編集</translation>
   </message>
   <message>
-   <source>release chooses all points inside</source>
+   <source>release selects all points inside</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>離すと中の点をすべて選択</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
@@ -7236,9 +7299,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>クリックは働きません：編集する点がありません。まず要素を描いてください</translation>
   </message>
   <message>
-   <source>click a point to drag it, next to it to deselect</source>
+   <source>click a point to drag it, elsewhere to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点をクリックしてドラッグ、横をクリックで解除</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
@@ -7248,14 +7311,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>click begins it by hand</source>
+   <source>click draws it by hand</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>クリックで手描きを始める</translation>
-  </message>
-  <message>
-   <source>BLIND</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>ブラインド</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
@@ -7265,14 +7323,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>Enter does nothing: no line is found along it</source>
+   <source>no line found along it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Enter は何もしません：沿った線が見つかりません</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Enter と Esc はまだ働きません</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7305,9 +7358,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>クリックで印を付ける</translation>
   </message>
   <message>
-   <source>hold Ctrl to click off the line</source>
+   <source>hold Ctrl: no snapping</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Ctrl を押すと線の横をクリック</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Delete removes {title}</source>
@@ -7327,14 +7380,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>Esc takes the new point away</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc で新しい点を取り除く</translation>
-  </message>
-  <message>
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>読み取り専用</translation>
+  </message>
+  <message>
+   <source>BLIND</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>ブラインド</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7342,24 +7395,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>Shift+Enter で終えてとどまる</translation>
   </message>
   <message>
-   <source>Enter and Esc do nothing</source>
+   <source>Esc removes the new point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Enter と Esc は何もしません</translation>
-  </message>
-  <message>
-   <source>Esc gives up</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc でやめる</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Esc lets go</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc で放す</translation>
-  </message>
-  <message>
-   <source>Shift+Enter: accept all</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Shift+Enter：すべて採用</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7567,6 +7610,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>終わった編集はすぐ保存されます。失敗した保存をやり直します</translation>
   </message>
   <message>
+   <source>Write what could not be saved in its own place to another folder</source>
+   <extracomment>[the action save_copies]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Import annotations…</source>
    <extracomment>[the action import_annotations]</extracomment>
    <translation>注釈を取り込む…</translation>
@@ -7587,14 +7635,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>ほかのプログラム用に注釈を書き出します：CVAT、labelme、COCO、SoccerNet、マスク</translation>
   </message>
   <message>
-   <source>Export SoccerNet JSON…</source>
+   <source>Export annotations as JSON…</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>SoccerNet JSON を書き出す…</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Write the annotations of all frames as a folder or zip of SoccerNet JSON</source>
+   <source>Write the annotations of all frames as a folder or zip of JSON files</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>全フレームの注釈を SoccerNet JSON のフォルダーまたは zip に書き出します</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Export JaC of the set…</source>
@@ -7852,9 +7900,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>次のフレーム</translation>
   </message>
   <message>
-   <source>Show the next picture</source>
+   <source>Show the next picture, of those that the filter shows</source>
    <extracomment>[the action next_frame]</extracomment>
-   <translation>次の画像を表示します</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Previous frame</source>
@@ -7862,9 +7910,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>前のフレーム</translation>
   </message>
   <message>
-   <source>Show the previous picture</source>
+   <source>Show the previous picture, of those that the filter shows</source>
    <extracomment>[the action previous_frame]</extracomment>
-   <translation>前の画像を表示します</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Next unfinished</source>
@@ -8027,9 +8075,19 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>ショット、またはストリップで選んだ区間のフレームを追跡に沿って注釈します。注釈済みは除かれ、疑わしいフレームはもう一度押した場合だけ含まれます</translation>
   </message>
   <message>
-   <source>Take back the accepted stretch</source>
+   <source>Annotate all that is sure</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotate every frame of the dataset whose camera is found and sure, in one step; Next doubtful frame (Alt+PgDown) then goes through the others, the least sure first</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Take back what was accepted last</source>
    <extracomment>[the action take_back_stretch]</extracomment>
-   <translation>採用した区間を取り消す</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Frames that were accepted last and not edited since are as they were before</source>
@@ -8147,19 +8205,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>このフレームは完了です。ブラインドモードでは投影が表示されます</translation>
   </message>
   <message>
-   <source>Approve</source>
-   <extracomment>[the action approve]</extracomment>
-   <translation>承認</translation>
-  </message>
-  <message>
    <source>A reviewer finds this frame right</source>
    <extracomment>[the action approve]</extracomment>
    <translation>レビュー担当がこのフレームを正しいと認めます</translation>
-  </message>
-  <message>
-   <source>Reject</source>
-   <extracomment>[the action reject]</extracomment>
-   <translation>差し戻し</translation>
   </message>
   <message>
    <source>A reviewer sends this frame back; say why in a comment</source>
@@ -8227,14 +8275,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>前に注釈したフレームの要素をカメラの動きに合わせて移します。確認待ちになります</translation>
   </message>
   <message>
-   <source>Confirm all copied elements</source>
+   <source>Confirm all unconfirmed elements</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>コピーした要素をすべて確定</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Copied elements count and are saved from now on</source>
+   <source>Copied and unfinished elements count and are saved from now on</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>コピーした要素が有効になり、以後保存されます</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Drop unconfirmed elements</source>
@@ -8242,9 +8290,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>未確定の要素を捨てる</translation>
   </message>
   <message>
-   <source>Remove copied elements that were not edited</source>
+   <source>Remove copied and unfinished elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
-   <translation>コピーされたまま触れられていないものを捨てます</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Regularise all elements</source>
@@ -8352,9 +8400,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>選択中の要素をすべての点とともに取り除きます</translation>
   </message>
   <message>
-   <source>Confirm copied element</source>
+   <source>Confirm element</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation>コピーした要素を確定</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
@@ -8512,9 +8560,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>ほかと一緒に採用するには、ゴーストの塗られた線がどれだけ見える必要があるか</translation>
   </message>
   <message>
-   <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
+   <source>The ghost or the chosen element cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation>ゴースト、または選択中の要素はこのフレームで見えません。もう一度で取り消し</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Take back “not visible here”</source>
@@ -8717,9 +8765,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>フィールド図をカメラの向きに</translation>
   </message>
   <message>
-   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation>フィールド図の下側がカメラのある側になり、見えない部分は淡くなります。見えない半分は場所をもう半分に譲ります</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Picture on the field map</source>
@@ -8737,14 +8785,24 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>フレームの帯</translation>
   </message>
   <message>
-   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
+   <source>Below the picture: thumbnails of the frames, or the timeline of a video</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>画像の下：動画や連続するフレームではカメラの良し悪しと注釈の場所</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
+   <source>List of frames</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show the frames with their names and a filter at the left, instead of the strip; once more closes the list</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Errors and JaC of the frame or the set, of all shown sources</source>
    <extracomment>[the action plots]</extracomment>
-   <translation>フレームまたはセットの誤差と JaC を、表示中の全ソースについて画像の下の引き出しにグラフで示します。もう一度で閉じます</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -9002,9 +9060,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>ホモグラフィで投影できないゴール、リング、ネットは数えません</translation>
   </message>
   <message>
-   <source>Camera fault</source>
+   <source>Camera wrong</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation>カメラの誤り</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
@@ -9012,9 +9070,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>このフレームでは使用中のカメラが誤り。もう一度で判定を取り消し</translation>
   </message>
   <message>
-   <source>Annotation fault</source>
+   <source>Labels wrong</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation>注釈の誤り</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
@@ -9022,9 +9080,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>このフレームではクリックが誤り。もう一度で判定を取り消し</translation>
   </message>
   <message>
-   <source>Fine</source>
+   <source>OK</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation>問題なし</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
@@ -9102,14 +9160,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>テーマ</translation>
   </message>
   <message>
-   <source>Light, dark, or as the system has it</source>
+   <source>Light, dark or system</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>明るい、暗い、またはシステムに合わせる</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>As the system</source>
+   <source>System</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>システムに合わせる</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Light</source>
@@ -9122,14 +9180,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>暗い</translation>
   </message>
   <message>
-   <source>Size of texts</source>
+   <source>Text size</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>文字の大きさ</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>How large texts are, of what the system says; from the next start on</source>
+   <source>Text size, % of system (after restart)</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>システムの設定を基準にした文字の大きさ。次回の起動から有効</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Language</source>
@@ -9137,9 +9195,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>言語</translation>
   </message>
   <message>
-   <source>The language of the window; from the next start on. Files stay as they are</source>
+   <source>Language of the window (after restart); files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation>ウィンドウの言語。次回の起動から有効。ファイルは変わりません</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9147,14 +9205,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>画像上の色が表すもの</translation>
   </message>
   <message>
-   <source>Your name</source>
+   <source>Author name</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>あなたの名前</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Whose name points, comments and versions bear; empty: that of the system's user</source>
+   <source>Author name (empty = login name)</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>点、コメント、版に付く名前。空ならシステムのユーザー名</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Judging</source>

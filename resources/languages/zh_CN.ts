@@ -64,16 +64,6 @@
    <translation>元素平均偏离 {after:.1f} px，按现状为 {before:.1f} px</translation>
   </message>
   <message>
-   <source>look at point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>查看第 {number} 点</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>{title} 的第 {number} 点偏离 {off:.0f} px，其他点最多 {rest:.1f} px</translation>
-  </message>
-  <message>
    <source>two points are exchanged: the one of {some} and the one of {others}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>两个点互换了：{some} 的点与 {others} 的点</translation>
@@ -97,16 +87,6 @@
    <source>relabel {steps}</source>
    <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
    <translation>更改类别：{steps}</translation>
-  </message>
-  <message>
-   <source>remove point {number}</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py, procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>移除第 {number} 点</translation>
-  </message>
-  <message>
-   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
-   <extracomment>[procc_annotator/calibration/label_check/camera_rules.py]</extracomment>
-   <translation>{title} 的第 {number} 点偏离 {off:.0f} px，另一点最多 {rest:.1f} px</translation>
   </message>
   <message>
    <source>{title} is up to {px:.0f} px from where the camera of the others shows it</source>
@@ -223,10 +203,10 @@
    </translation>
   </message>
   <message numerus="yes">
-   <source>{title} has {n} points; fewer than {least} determine no ellipse</source>
-   <extracomment>{title} has {n} point; fewer than {least} determine no ellipse / {title} has {n} points; fewer than {least} determine no ellipse [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation>
-    <numerusform>{title} 有 {n} 个点；少于 {least} 个无法确定椭圆</numerusform>
+   <source>{title} has {n} points: {least} points needed for a curve</source>
+   <extracomment>{title} has {n} point: {least} points needed for a curve / {title} has {n} points: {least} points needed for a curve [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -248,6 +228,16 @@
    <source>{a} and {b} lie on top of each other, less than {px:.0f} px apart: one line under two names?</source>
    <extracomment>[procc_annotator/calibration/label_check/element_rules.py]</extracomment>
    <translation>{a} 和 {b} 重叠，相距不到 {px:.0f} px：同一条线用了两个名称？</translation>
+  </message>
+  <message>
+   <source>remove point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>移除第 {number} 点</translation>
+  </message>
+  <message>
+   <source>look at point {number}</source>
+   <extracomment>[procc_annotator/calibration/label_check/element_rules.py, procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>查看第 {number} 点</translation>
   </message>
   <message>
    <source>the points of {title} go over the same stretch more than once: their course is {times:.1f} times as long as it need be</source>
@@ -277,9 +267,9 @@
    <translation>{title} 离{what}还差 {px:.0f} px</translation>
   </message>
   <message>
-   <source>put its points along the paint</source>
+   <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>将其点放到画线上</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
@@ -287,29 +277,39 @@
    <translation>{title} 离{what}还差 {px:.0f} px，另一端离{what_2}还差 {px_2:.0f} px</translation>
   </message>
   <message>
-   <source>{title} is straight between its clicks, its paint runs up to {px:.0f} px beside it: regularise it (R)</source>
+   <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} 在点击之间是直的，画线偏离最多 {px:.0f} px：请规整（R）</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>an end of {title} lies about {px:.0f} px beside its paint, which is seen on the way there: put that point on it</source>
+   <source>one end of {title} is {px:.0f} px off the line. Move it onto the paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} 的一端偏离其画线约 {px:.0f} px，而沿途可见画线：请将该点放到画线上</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} along {percent:.0f} % of it, at most {px:.0f} px on end</source>
+   <source>{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends? Press R</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} 有 {percent:.0f} % 之下没有画线，最长连续 {px:.0f} px</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no paint under {title} towards one of its ends, under all the rest there is</source>
+   <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} 靠近一端之下没有画线，其余部分都有</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>look at it</source>
    <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
    <translation>查看</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other points at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>{title} 的第 {number} 点偏离 {off:.0f} px，其他点最多 {rest:.1f} px</translation>
+  </message>
+  <message>
+   <source>point {number} of {title} is {off:.0f} px off, its other point at most {rest:.1f} px</source>
+   <extracomment>[procc_annotator/calibration/label_check/finding.py]</extracomment>
+   <translation>{title} 的第 {number} 点偏离 {off:.0f} px，另一点最多 {rest:.1f} px</translation>
   </message>
   <message>
    <source>everything lies the wrong way round: far and near, are exchanged</source>
@@ -357,14 +357,14 @@
    <translation>附近的画线会使固定桩偏离原位</translation>
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint, as {more} more do theirs</source>
+   <source>{name} is {px:.0f} px off its line, and {more} more are off theirs</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name}偏离其画线 {px:.0f} px，另有 {more} 个也如此</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{name} lies {px:.0f} px beside its paint</source>
+   <source>{name} is {px:.0f} px off its line</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation>{name} 偏离其画线 {px:.0f} px</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -473,39 +473,39 @@
    <translation>从另一端看相同</translation>
   </message>
   <message>
-   <source>another camera that shows other lines suits the picture nearly as well</source>
+   <source>a different view fits almost as well</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>另一个显示其他线的相机与图片几乎同样吻合</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>lines are missing that should be in sight</source>
+   <source>expected lines are missing</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>缺少本应可见的线</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>there is paint where the field has none</source>
+   <source>some lines in the picture do not match the field</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>在场地没有画线之处有画线</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>too few lines are in sight to tell</source>
+   <source>too few lines in view</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>可见的线太少，无法判断</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>cameras hardly stand there</source>
+   <source>unusual camera position</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>相机很少位于该处</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the lines in sight leave the camera open</source>
+   <source>the visible lines do not determine the camera</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation>可见线不足以确定相机</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>{lines:.0f} % of the lines in sight lie on paint, which explains {paint:.0f} % of the paint on the field</source>
+   <source>{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>可见线的 {lines:.0f} % 落在画线上，解释了场地画线的 {paint:.0f} %</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -513,14 +513,14 @@
    <translation>这是 {field}，而不是其他运动吗？{why}</translation>
   </message>
   <message>
-   <source>no camera suits the paint in this picture: of the best one {shares}</source>
+   <source>no camera fits the lines (best: {shares})</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>没有相机与此图片的画线吻合：最好的为{shares}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>the picture is nearly square, as a squeezed one is: its pixels may not be square</source>
+   <source>the picture is nearly square: its pixels may not be</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>画面接近正方形，可能被压缩过：其像素可能不是正方形</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -766,16 +766,22 @@
    <translation>无误</translation>
   </message>
   <message>
-   <source>camera fault</source>
+   <source>camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>相机错误</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>annotation fault</source>
+   <source>labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation>标注错误</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>OK</source>
+   <comment>a verdict</comment>
+   <extracomment>[procc_annotator/dataset/records.py, procc_annotator/gui/panels/scores.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>taken back</source>
@@ -957,6 +963,11 @@
    <translation>Ctrl+Z 撤回</translation>
   </message>
   <message>
+   <source>Picture</source>
+   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
+   <translation>图片</translation>
+  </message>
+  <message>
    <source>PAN</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>平移</translation>
@@ -967,19 +978,9 @@
    <translation>拖动可移动图片</translation>
   </message>
   <message>
-   <source>click and Enter do nothing</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点击和回车不起作用</translation>
-  </message>
-  <message>
    <source>Esc takes the tool again</source>
    <extracomment>[procc_annotator/gui/canvas/canvas.py]</extracomment>
    <translation>Esc 换回工具</translation>
-  </message>
-  <message>
-   <source>Picture</source>
-   <extracomment>[procc_annotator/gui/canvas/canvas.py, procc_annotator/gui/settings.py, procc_annotator/gui/window/tool_bar.py]</extracomment>
-   <translation>图片</translation>
   </message>
   <message>
    <source>load a second set of cameras to blink between two (Ctrl+L)</source>
@@ -1013,7 +1014,7 @@
   </message>
   <message>
    <source>next: {title}</source>
-   <extracomment>[procc_annotator/gui/canvas/drawing.py, procc_annotator/interaction/hints.py]</extracomment>
+   <extracomment>[procc_annotator/gui/canvas/drawing.py]</extracomment>
    <translation>下一个：{title}</translation>
   </message>
   <message>
@@ -1027,18 +1028,6 @@
    <translation>{title} 在本帧没有点：请选择要删除的元素</translation>
   </message>
   <message>
-   <source>kept 1 click of {title} on {frame}, unconfirmed: choose the element there to go on</source>
-   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>已保留 {frame} 上 {title} 的 1 次点击（未确认）：在该帧选择该元素即可继续</translation>
-  </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points on {frame}</source>
-   <extracomment>finished {title} with {n} point on {frame} / finished {title} with {n} points on {frame} [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>已在 {frame} 上以 {n} 个点完成 {title}</numerusform>
-   </translation>
-  </message>
-  <message>
    <source>choose the element to delete first: field map, list, or its key</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>请先选择要删除的元素：场地图、列表或其按键</translation>
@@ -1050,17 +1039,22 @@
     <numerusform>已丢弃 {title} 的 {n} 个点</numerusform>
    </translation>
   </message>
-  <message numerus="yes">
-   <source>finished {title} with {n} points</source>
-   <extracomment>finished {title} with {n} point / finished {title} with {n} points [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation>
-    <numerusform>已以 {n} 个点完成 {title}</numerusform>
-   </translation>
-  </message>
   <message>
    <source>{titles}: changed elsewhere, look again first</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
    <translation>{titles}：已在别处更改，请先再看一遍</translation>
+  </message>
+  <message numerus="yes">
+   <source>kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on</source>
+   <extracomment>kept {n} click of {title} on {frame}, unfinished: choose it there to go on / kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on [procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>finished {title}</source>
+   <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>How good the fitted camera is</source>
@@ -1155,9 +1149,9 @@
    <translation>正在图片中寻找相机 …</translation>
   </message>
   <message>
-   <source>No camera found: {why}</source>
+   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>未找到相机：{why}</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1391,6 +1385,11 @@
    </translation>
   </message>
   <message>
+   <source>Another element…</source>
+   <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Leave it unnamed</source>
    <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
    <translation>不命名</translation>
@@ -1594,7 +1593,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>Cancel</source>
-   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, the action cancel]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/exchange_dialogs.py, procc_annotator/gui/commands/opening.py, procc_annotator/gui/messages.py]</extracomment>
    <translation>取消</translation>
   </message>
   <message>
@@ -1708,14 +1707,26 @@ Loses {loses}.</source>
    <translation>Zip 压缩包 (*.zip);;文件夹 (*)</translation>
   </message>
   <message>
+   <source>Save copies to</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>copied {n:,} frames to {folder}; they are not saved in their own place yet</source>
+   <extracomment>copied {n:,} frame to {folder}; it is not saved in its own place yet / copied {n:,} frames to {folder}; they are not saved in their own place yet [procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+   </translation>
+  </message>
+  <message>
    <source>Table (*.csv);;JSON (*.json)</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>表格 (*.csv);;JSON (*.json)</translation>
   </message>
   <message>
-   <source>Export the overview</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation>导出总览</translation>
+   <source>Table (*.csv)</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
+   <translation>表格 (*.csv)</translation>
   </message>
   <message numerus="yes">
    <source>exported {n:,} frames to {path}</source>
@@ -1760,6 +1771,11 @@ Loses {loses}.</source>
    <translation>该格式无法容纳的内容</translation>
   </message>
   <message>
+   <source>everything is saved in its own place</source>
+   <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no camera to save: {why}</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
    <translation>没有可保存的相机：{why}</translation>
@@ -1802,11 +1818,6 @@ Loses {loses}.</source>
    <translation>
     <numerusform>{n:,} 个文件无法读取：{problem}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Table (*.csv)</source>
-   <extracomment>[procc_annotator/gui/commands/exporting.py, procc_annotator/gui/commands/label_check.py, procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>表格 (*.csv)</translation>
   </message>
   <message>
    <source>Export</source>
@@ -2032,14 +2043,14 @@ Loses {loses}.</source>
    <translation>第 {place} / {total}，最差在前：分歧中位数 {value:.2f} m</translation>
   </message>
   <message>
+   <source>{place} of {total}, the least sure first</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no other frame is rejected</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>没有其他被退回的帧</translation>
-  </message>
-  <message>
-   <source>{frame} is {status}</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>{frame} 为“{status}”</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2065,6 +2076,11 @@ Loses {loses}.</source>
    <source>no shot was followed yet (T)</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>尚未跟踪任何镜头（T）</translation>
+  </message>
+  <message>
+   <source>no other frame is unsure</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>these frames do not follow one another</source>
@@ -2132,9 +2148,9 @@ Loses {loses}.</source>
    <translation>{source} 和 {other} 已比较</translation>
   </message>
   <message>
-   <source>left, less than {least:.0%} of the line is seen: {ghosts}</source>
+   <source>skipped (under {least:.0%} visible): {ghosts}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>保留，可见的线不足 {least:.0%}：{ghosts}</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -2225,9 +2241,9 @@ Loses {loses}.</source>
    <translation>正在拟合相机：请稍后接受其虚影</translation>
   </message>
   <message>
-   <source>no ghost was accepted, less than {least:.0%} of the line is seen: {ghosts}; Tab goes through them</source>
+   <source>no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>未接受任何虚影，可见的线不足 {least:.0%}：{ghosts}；Tab 可逐个查看</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -2844,7 +2860,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>Frames</source>
-   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/frames.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/season.py, procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frames.py]</extracomment>
    <translation>帧</translation>
   </message>
   <message>
@@ -2915,9 +2931,19 @@ Loses {loses}.</source>
    <translation>没有可接受的帧：请先跟踪镜头（T）</translation>
   </message>
   <message>
+   <source>the shot is still being followed: wait for its end, or stop it (T), then accept</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>no frame to accept: all that were followed are annotated</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>没有可接受的帧：已跟踪的帧均已标注</translation>
+  </message>
+  <message>
+   <source>every frame is annotated</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
@@ -2932,15 +2958,15 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track: {done} of {total} frames</source>
+   <source>finding line points: {done} of {total} frames  ·  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>正在沿跟踪寻找画线：{done} / {total} 帧</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
-   <source>accepted {n:,} frames along the track</source>
-   <extracomment>accepted {n:,} frame along the track / accepted {n:,} frames along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>已沿跟踪接受 {n:,} 帧</numerusform>
+   <source>annotated {n:,} frames</source>
+   <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -2949,10 +2975,10 @@ Loses {loses}.</source>
    <translation>Ctrl+Z 撤回</translation>
   </message>
   <message numerus="yes">
-   <source>taken back: {n:,} frames accepted along the track</source>
-   <extracomment>taken back: {n:,} frame accepted along the track / taken back: {n:,} frames accepted along the track [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>已撤回：{n:,} 个沿跟踪接受的帧</numerusform>
+   <source>taken back: {n:,} annotated frames</source>
+   <extracomment>taken back: {n:,} annotated frame / taken back: {n:,} annotated frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message numerus="yes">
@@ -2963,14 +2989,14 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
-   <source>looking for paint along the track</source>
+   <source>finding line points …  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>正在沿跟踪寻找画线</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>no frame was accepted: too little of their lines is seen</source>
+   <source>no frame was annotated: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>未接受任何帧：可见的线太少</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
@@ -2996,6 +3022,18 @@ Loses {loses}.</source>
    <source>taken back: no frame is accepted</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>已撤回：不接受任何帧</translation>
+  </message>
+  <message>
+   <source>no frame was annotated: no camera is sure</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message numerus="yes">
+   <source>{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first</source>
+   <extracomment>{n:,} frame is not sure: Alt+PgDown shows it / {n:,} frames are not sure: Alt+PgDown goes through them, the least sure first [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+   </translation>
   </message>
   <message numerus="yes">
    <source>{n:,} doubtful frames left: Ctrl+Shift+Enter once more accepts them</source>
@@ -3131,9 +3169,9 @@ Loses {loses}.</source>
    <translation>保持锁定</translation>
   </message>
   <message>
-   <source>mark the frame first: camera fault, annotation fault or fine</source>
+   <source>mark the frame first: camera wrong, labels wrong or fine</source>
    <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>请先标记本帧：相机错误、标注错误或无误</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
@@ -3363,7 +3401,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>none</source>
-   <extracomment>[procc_annotator/gui/field_preview.py]</extracomment>
+   <extracomment>[procc_annotator/gui/field_preview.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>无</translation>
   </message>
   <message>
@@ -3697,9 +3735,9 @@ Loses {loses}.</source>
    <translation>选择其他位置…</translation>
   </message>
   <message>
-   <source>Save again</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>再次保存</translation>
+   <source>Save copies to…</source>
+   <extracomment>[procc_annotator/gui/messages.py, the action save_copies]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Copy details</source>
@@ -3707,9 +3745,31 @@ Loses {loses}.</source>
    <translation>复制详细信息</translation>
   </message>
   <message>
+   <source>Show the next</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>{what} is there already, and says something else.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>{what} 已存在，且内容不同。</translation>
+  </message>
+  <message numerus="yes">
+   <source>{n} comments on this frame are not settled.</source>
+   <extracomment>{n} comment on this frame is not settled. / {n} comments on this frame are not settled. [procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
+   </translation>
+  </message>
+  <message>
+   <source>A tick in the Review panel settles a comment.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{n:,} of {total:,} frames are not done.</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>{n} frames are not saved, and saving failed again just now.</source>
@@ -3727,6 +3787,31 @@ Loses {loses}.</source>
    <source>Write what you see on screen over the file</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
    <translation>将屏幕上的内容覆盖写入文件</translation>
+  </message>
+  <message>
+   <source>Export all</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Done only</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Dismiss this message</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>关闭此消息</translation>
+  </message>
+  <message>
+   <source>Reload theirs</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>载入对方的版本</translation>
+  </message>
+  <message>
+   <source>Overwrite with mine</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>用我的覆盖</translation>
   </message>
   <message>
    <source>Delete {what}?</source>
@@ -3749,9 +3834,14 @@ Loses {loses}.</source>
    <translation>替换</translation>
   </message>
   <message>
-   <source>Close and lose them</source>
+   <source>Do not approve</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>关闭并丢失</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Approve</source>
+   <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
+   <translation>批准</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -3759,19 +3849,9 @@ Loses {loses}.</source>
    <translation>留下</translation>
   </message>
   <message>
-   <source>Dismiss this message</source>
+   <source>Close and lose them</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>关闭此消息</translation>
-  </message>
-  <message>
-   <source>Reload theirs</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>载入对方的版本</translation>
-  </message>
-  <message>
-   <source>Overwrite with mine</source>
-   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation>用我的覆盖</translation>
+   <translation>关闭并丢失</translation>
   </message>
   <message>
    <source>Open a second annotator's folder (menu File) to compare the clicks of both.</source>
@@ -4117,9 +4197,9 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
    </translation>
   </message>
   <message>
-   <source>no camera</source>
-   <extracomment>[procc_annotator/gui/panels/camera_sources.py, procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>无相机</translation>
+   <source>none judged</source>
+   <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>several models</source>
@@ -4168,10 +4248,9 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
   </message>
   <message>
    <source>No cameras loaded.
-Load a folder of SoccerNet camera files or homographies to see them judged against your clicks.</source>
+Load a folder of camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
-   <translation>未加载相机。
-加载 SoccerNet 相机文件或单应矩阵的文件夹，即可用您的点击评判它们。</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Load folder…</source>
@@ -4417,14 +4496,44 @@ Class in files: {name}</source>
    <translation>方向键选择元素</translation>
   </message>
   <message>
+   <source>far</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>right</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>near</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>left</source>
+   <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
    <translation>下一个：{title}，{before:.1f} → {after:.1f} px</translation>
   </message>
   <message>
-   <source>Click an element to choose its class</source>
+   <source>Click an element</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation>点击元素以选择其类别</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>{shown:,} of {frames}</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py, procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
+   <translation>{shown:,} / {frames}</translation>
+  </message>
+  <message>
+   <source>Show all frames</source>
+   <extracomment>[procc_annotator/gui/panels/film_strip.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Error</source>
@@ -4466,9 +4575,9 @@ Open a folder of pictures to check their labels.</source>
    <translation>本帧没有任何标注。</translation>
   </message>
   <message>
-   <source>Nothing found by the rules that need no camera.</source>
+   <source>No problems so far.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>无需相机的规则未发现问题。</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
@@ -4483,14 +4592,14 @@ Open a folder of pictures to check their labels.</source>
    <translation>盲标：需要相机的检查等到提交本帧后进行（Ctrl+回车）。</translation>
   </message>
   <message>
-   <source>The live fit is off: only the rules that need no camera are checked.</source>
+   <source>The live fit is off: the full check needs it.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>实时拟合已关闭：只检查无需相机的规则。</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>No camera fits yet ({why}): only the rules that need none are checked.</source>
+   <source>Full check needs a camera: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>尚无合适的相机（{why}）：只检查无需相机的规则。</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
@@ -4822,11 +4931,6 @@ Open a folder of pictures to check their labels.</source>
    <translation>
     <numerusform>{n} 个未处理</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>{shown:,} of {frames}</source>
-   <extracomment>[procc_annotator/gui/panels/frame_delegate.py, procc_annotator/gui/panels/frames.py]</extracomment>
-   <translation>{shown:,} / {frames}</translation>
   </message>
   <message>
    <source>all done</source>
@@ -5385,31 +5489,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>（无得分）</translation>
   </message>
   <message>
-   <source>This frame has not been edited here</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>此处尚无人编辑过本帧</translation>
-  </message>
-  <message>
-   <source>Begun, not done</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>已开始，未完成</translation>
-  </message>
-  <message>
-   <source>The annotator is done (Ctrl+Enter)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>标注者已完成（Ctrl+回车）</translation>
-  </message>
-  <message>
-   <source>A reviewer found it right (Ctrl+Shift+A)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>审核者认为正确（Ctrl+Shift+A）</translation>
-  </message>
-  <message>
-   <source>A reviewer sent it back (Ctrl+Shift+X)</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>审核者已退回（Ctrl+Shift+X）</translation>
-  </message>
-  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>以盲标模式提交，且此后未变。</translation>
@@ -5450,9 +5529,29 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{minutes}:{seconds:02d} 分</translation>
   </message>
   <message>
+   <source>This frame is right (Ctrl+Shift+A)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Send it back (Ctrl+Shift+X)</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Reject</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, the action reject]</extracomment>
+   <translation>退回</translation>
+  </message>
+  <message>
    <source>No comments on this frame.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>本帧没有评论。</translation>
+  </message>
+  <message>
+   <source>{frame} is {status}</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>{frame} 为“{status}”</translation>
   </message>
   <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
@@ -5475,10 +5574,10 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>点：无</translation>
   </message>
   <message numerus="yes">
-   <source>to be confirmed (Shift+V): {n:,} copied elements</source>
-   <extracomment>to be confirmed (Shift+V): {n:,} copied element / to be confirmed (Shift+V): {n:,} copied elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>
-    <numerusform>待确认（Shift+V）：{n:,} 个复制的元素</numerusform>
+   <source>to be confirmed (Shift+V): {n:,} elements</source>
+   <extracomment>to be confirmed (Shift+V): {n:,} element / to be confirmed (Shift+V): {n:,} elements [procc_annotator/gui/panels/review.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -5557,22 +5656,16 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>滑块上使其通过的最小 tau，px</translation>
   </message>
   <message>
-   <source>Camera</source>
+   <source>Camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>相机</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Annotation</source>
+   <source>Labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>标注</translation>
-  </message>
-  <message>
-   <source>Fine</source>
-   <comment>a verdict</comment>
-   <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>无误</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
@@ -5687,9 +5780,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>计为 {class_name}</translation>
   </message>
   <message>
-   <source>Fault</source>
+   <source>Verdict</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation>错误归属</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5804,6 +5897,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>open a folder of pictures first</source>
    <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
    <translation>请先打开图片文件夹</translation>
+  </message>
+  <message>
+   <source>choose the camera to judge first (C)</source>
+   <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -6041,9 +6139,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>没有其他场地更符合这里的类别</translation>
   </message>
   <message>
-   <source>{folder} cannot be written: nothing that is annotated here can be saved</source>
+   <source>{folder} cannot be written: what is annotated here has to be saved elsewhere (File &gt; Save copies to…)</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation>无法写入 {folder}：此处的标注都无法保存</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
@@ -6064,6 +6162,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>此数据集的场地：{field}</translation>
+  </message>
+  <message>
+   <source>the filter shows no further frame this way</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
@@ -6188,9 +6291,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>标注无法读取</translation>
   </message>
   <message>
-   <source>Enter calls it · ↑ ↓ choose · Esc closes</source>
+   <source>Enter runs it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>回车执行 · ↑ ↓ 选择 · Esc 关闭</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panel</source>
@@ -6460,9 +6563,9 @@ Annotate and audit sports-camera calibrations.</source>
    <translation>无按键</translation>
   </message>
   <message>
-   <source>Usual keys</source>
+   <source>Default keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation>默认按键</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Import…</source>
@@ -6691,6 +6794,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>本帧的状态（“审核”面板）</translation>
   </message>
   <message>
+   <source>JaC – {why}</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>得分的计算条件：{terms}</translation>
@@ -6708,11 +6816,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>Top bar</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>顶栏</translation>
-  </message>
-  <message>
    <source>Field: {field}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>场地：{field}</translation>
@@ -6721,11 +6824,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Click to choose another one</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>点击以选择其他</translation>
-  </message>
-  <message>
-   <source>&lt;b&gt;JaC –&lt;/b&gt; {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;JaC –&lt;/b&gt; {why}</translation>
   </message>
   <message>
    <source>saving...</source>
@@ -6738,9 +6836,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>阈值 tau</translation>
   </message>
   <message>
-   <source>&lt;b&gt;JaC {jac:.3f}&lt;/b&gt; of the fit</source>
+   <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>拟合的 &lt;b&gt;JaC {jac:.3f}&lt;/b&gt;</translation>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>blind: commit to see JaC</source>
+   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>no changes</source>
@@ -6748,19 +6851,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>无更改</translation>
   </message>
   <message>
-   <source>&lt;b&gt;blind&lt;/b&gt;: commit to see JaC</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>&lt;b&gt;盲标&lt;/b&gt;：提交后可见 JaC</translation>
-  </message>
-  <message>
    <source>Drop a folder of pictures here</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>将图片文件夹拖放到此处</translation>
   </message>
   <message>
-   <source>Annotations are read from and saved to SoccerNet JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
+   <source>Annotations are read from and saved as JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
-   <translation>标注以 SoccerNet JSON 形式读取并保存在图片旁。之后拖入相机文件夹，即可用您的点击评判它们。</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Open recent</source>
@@ -6818,9 +6916,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>搜索设置</translation>
   </message>
   <message>
-   <source>All to their defaults</source>
+   <source>Reset all</source>
    <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
-   <translation>全部恢复默认</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>none of your own</source>
@@ -6879,21 +6977,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <comment>desk</comment>
    <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
    <translation>审核</translation>
-  </message>
-  <message>
-   <source>Open the plots below the picture</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>打开图片下方的图表</translation>
-  </message>
-  <message>
-   <source>Shut the plots</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>关闭图表</translation>
-  </message>
-  <message>
-   <source>Desks</source>
-   <extracomment>[procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>工作台</translation>
   </message>
   <message>
    <source>Disagreement</source>
@@ -6989,24 +7072,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>click, Enter and Esc do nothing yet</source>
+   <source>click to draw; choose its class afterwards</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点击、回车和 Esc 尚不起作用</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>click begins a line that is named after</source>
+   <source>Backspace removes the last point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点击开始一条线，之后命名</translation>
-  </message>
-  <message>
-   <source>choose an element: field map, list, its key or /</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>选择元素：场地图、列表、其按键或 /</translation>
-  </message>
-  <message>
-   <source>Backspace takes back the last point</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>退格撤回最后一点</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
@@ -7014,19 +7087,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>点击标记它并进入 {title}</translation>
   </message>
   <message>
-   <source>Enter does nothing</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>回车不起作用</translation>
-  </message>
-  <message>
    <source>release drops it here</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>松开即放在此处</translation>
   </message>
   <message>
-   <source>click or drag a point, drag on empty ground to choose several</source>
+   <source>click or drag a point, drag elsewhere to select several</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点击或拖动点；在空白处拖动可选择多个</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7049,21 +7117,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>虚影 {title}</translation>
   </message>
   <message>
-   <source>GHOST the next one comes</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>虚影：下一个来了</translation>
-  </message>
-  <message>
-   <source>Esc goes back</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc 返回</translation>
-  </message>
-  <message>
-   <source>Tab goes on</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Tab 继续</translation>
-  </message>
-  <message>
    <source>GHOST the next one comes in a moment</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>虚影：下一个马上就来</translation>
@@ -7083,9 +7136,19 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
+   <source>Shift+Enter: accept all</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Shift+回车：全部接受</translation>
+  </message>
+  <message>
    <source>Enter accepts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车接受</translation>
+  </message>
+  <message>
+   <source>Tab goes on</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>Tab 继续</translation>
   </message>
   <message>
    <source>. not visible here</source>
@@ -7093,19 +7156,24 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>. 此处不可见</translation>
   </message>
   <message>
-   <source>Shift+Enter: all</source>
+   <source>Esc goes back</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Shift+回车：全部</translation>
+   <translation>Esc 返回</translation>
   </message>
   <message>
-   <source>or choose its element first: field map, list, its key or /</source>
+   <source>/ finds an element</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>或先选择其元素：场地图、列表、其按键或 /</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>DRAW</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>绘制</translation>
+  </message>
+  <message>
+   <source>choose an element: field map, list, its key or /</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>选择元素：场地图、列表、其按键或 /</translation>
   </message>
   <message numerus="yes">
    <source>DRAW a line, {n} points</source>
@@ -7115,9 +7183,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>Enter or double-click finishes and asks its name</source>
+   <source>Enter or double-click finishes, then choose the class</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>回车或双击完成并询问名称</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
@@ -7152,11 +7220,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>绘制 {title}</translation>
   </message>
   <message>
-   <source>Enter does nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>回车尚不起作用</translation>
-  </message>
-  <message>
    <source>Enter confirms it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>回车确认</translation>
@@ -7174,9 +7237,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>click begins it</source>
+   <source>click starts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点击开始</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
@@ -7189,10 +7252,10 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>回车确认 {title}</translation>
   </message>
   <message numerus="yes">
-   <source>Esc lets go of {n} points</source>
-   <extracomment>Esc lets go of the point / Esc lets go of {n} points [procc_annotator/interaction/hints.py]</extracomment>
-   <translation>
-    <numerusform>Esc 放开 {n} 个点</numerusform>
+   <source>Esc deselects {n} points</source>
+   <extracomment>Esc deselects the point / Esc deselects {n} points [procc_annotator/interaction/hints.py]</extracomment>
+   <translation type="unfinished">
+    <numerusform />
    </translation>
   </message>
   <message>
@@ -7201,9 +7264,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>编辑</translation>
   </message>
   <message>
-   <source>release chooses all points inside</source>
+   <source>release selects all points inside</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>松开选择其中所有的点</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
@@ -7236,9 +7299,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>点击不起作用：没有可编辑的点，请先绘制元素</translation>
   </message>
   <message>
-   <source>click a point to drag it, next to it to deselect</source>
+   <source>click a point to drag it, elsewhere to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点击点以拖动，点在旁边则放开</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
@@ -7248,14 +7311,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>click begins it by hand</source>
+   <source>click draws it by hand</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>点击则手动开始</translation>
-  </message>
-  <message>
-   <source>BLIND</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>盲标</translation>
+   <translation type="unfinished" />
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
@@ -7265,14 +7323,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>Enter does nothing: no line is found along it</source>
+   <source>no line found along it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>回车不起作用：沿线未找到线</translation>
-  </message>
-  <message>
-   <source>Enter and Esc do nothing yet</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>回车和 Esc 尚不起作用</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7305,9 +7358,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>点击标记它</translation>
   </message>
   <message>
-   <source>hold Ctrl to click off the line</source>
+   <source>hold Ctrl: no snapping</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>按住 Ctrl 可点在线旁</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Delete removes {title}</source>
@@ -7327,14 +7380,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    </translation>
   </message>
   <message>
-   <source>Esc takes the new point away</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc 去除新点</translation>
-  </message>
-  <message>
    <source>READ ONLY</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>只读</translation>
+  </message>
+  <message>
+   <source>BLIND</source>
+   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
+   <translation>盲标</translation>
   </message>
   <message>
    <source>Shift+Enter finishes and stays</source>
@@ -7342,24 +7395,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>Shift+回车完成并停留</translation>
   </message>
   <message>
-   <source>Enter and Esc do nothing</source>
+   <source>Esc removes the new point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>回车和 Esc 不起作用</translation>
-  </message>
-  <message>
-   <source>Esc gives up</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Esc 放弃</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Esc lets go</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
    <translation>Esc 放开</translation>
-  </message>
-  <message>
-   <source>Shift+Enter: accept all</source>
-   <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation>Shift+回车：全部接受</translation>
   </message>
   <message>
    <source>passes</source>
@@ -7567,6 +7610,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>每次完成的编辑都会立即保存；此操作重试失败的保存</translation>
   </message>
   <message>
+   <source>Write what could not be saved in its own place to another folder</source>
+   <extracomment>[the action save_copies]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
    <source>Import annotations…</source>
    <extracomment>[the action import_annotations]</extracomment>
    <translation>导入标注…</translation>
@@ -7587,14 +7635,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>为其他程序写出标注：CVAT、labelme、COCO、SoccerNet、掩码</translation>
   </message>
   <message>
-   <source>Export SoccerNet JSON…</source>
+   <source>Export annotations as JSON…</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>导出 SoccerNet JSON…</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Write the annotations of all frames as a folder or zip of SoccerNet JSON</source>
+   <source>Write the annotations of all frames as a folder or zip of JSON files</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation>将所有帧的标注写为 SoccerNet JSON 文件夹或 zip</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Export JaC of the set…</source>
@@ -7852,9 +7900,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>下一帧</translation>
   </message>
   <message>
-   <source>Show the next picture</source>
+   <source>Show the next picture, of those that the filter shows</source>
    <extracomment>[the action next_frame]</extracomment>
-   <translation>显示下一张图片</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Previous frame</source>
@@ -7862,9 +7910,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>上一帧</translation>
   </message>
   <message>
-   <source>Show the previous picture</source>
+   <source>Show the previous picture, of those that the filter shows</source>
    <extracomment>[the action previous_frame]</extracomment>
-   <translation>显示上一张图片</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Next unfinished</source>
@@ -8027,9 +8075,19 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>沿跟踪结果标注镜头或条带上所选区段的帧；已标注的帧略过，存疑的帧需再按一次才接受</translation>
   </message>
   <message>
-   <source>Take back the accepted stretch</source>
+   <source>Annotate all that is sure</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Annotate every frame of the dataset whose camera is found and sure, in one step; Next doubtful frame (Alt+PgDown) then goes through the others, the least sure first</source>
+   <extracomment>[the action annotate_sure]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Take back what was accepted last</source>
    <extracomment>[the action take_back_stretch]</extracomment>
-   <translation>撤回已接受的区段</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Frames that were accepted last and not edited since are as they were before</source>
@@ -8147,19 +8205,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>本帧已完成；盲标模式下会显示投影</translation>
   </message>
   <message>
-   <source>Approve</source>
-   <extracomment>[the action approve]</extracomment>
-   <translation>批准</translation>
-  </message>
-  <message>
    <source>A reviewer finds this frame right</source>
    <extracomment>[the action approve]</extracomment>
    <translation>审核者认为本帧正确</translation>
-  </message>
-  <message>
-   <source>Reject</source>
-   <extracomment>[the action reject]</extracomment>
-   <translation>退回</translation>
   </message>
   <message>
    <source>A reviewer sends this frame back; say why in a comment</source>
@@ -8227,14 +8275,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>沿用之前标注帧的元素，并随相机运动移动；等待确认</translation>
   </message>
   <message>
-   <source>Confirm all copied elements</source>
+   <source>Confirm all unconfirmed elements</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>确认所有复制的元素</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Copied elements count and are saved from now on</source>
+   <source>Copied and unfinished elements count and are saved from now on</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation>复制的元素从现在起计入并保存</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Drop unconfirmed elements</source>
@@ -8242,9 +8290,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>丢弃未确认的元素</translation>
   </message>
   <message>
-   <source>Remove copied elements that were not edited</source>
+   <source>Remove copied and unfinished elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
-   <translation>丢弃复制后无人改动的内容</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Regularise all elements</source>
@@ -8352,9 +8400,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>移除选中的元素及其所有点</translation>
   </message>
   <message>
-   <source>Confirm copied element</source>
+   <source>Confirm element</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation>确认复制的元素</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
@@ -8512,9 +8560,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>虚影的画线要有多少可见，才能与其他一并接受</translation>
   </message>
   <message>
-   <source>The ghost, or the chosen element, cannot be seen in this frame; once more takes it back</source>
+   <source>The ghost or the chosen element cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation>该虚影或所选元素在本帧不可见；再按一次撤回</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Take back “not visible here”</source>
@@ -8717,9 +8765,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>将场地图转向相机</translation>
   </message>
   <message>
-   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint; the half that is out of sight leaves its room to the other one</source>
+   <source>The field map has the side below that the camera stands on, and what the camera does not see is faint</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation>场地图下方为相机所在一侧，相机看不到的部分变淡；看不见的半场将空间让给另一半</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Picture on the field map</source>
@@ -8737,14 +8785,24 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>帧条</translation>
   </message>
   <message>
-   <source>Below the picture of a video or of consecutive frames: how good their cameras are and where they are annotated</source>
+   <source>Below the picture: thumbnails of the frames, or the timeline of a video</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation>图片下方：视频或连续帧显示相机的好坏和已标注处</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Errors and JaC of the frame or the set as plots, of all shown sources, in a drawer below the picture; once more shuts it</source>
+   <source>List of frames</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Show the frames with their names and a filter at the left, instead of the strip; once more closes the list</source>
+   <extracomment>[the action frames_list]</extracomment>
+   <translation type="unfinished" />
+  </message>
+  <message>
+   <source>Errors and JaC of the frame or the set, of all shown sources</source>
    <extracomment>[the action plots]</extracomment>
-   <translation>以图表显示本帧或数据集的误差和 JaC，涵盖所有显示的源，位于图片下方的抽屉中；再按一次关闭</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -9002,9 +9060,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>单应矩阵无法投影的球门、篮筐和球网不计入</translation>
   </message>
   <message>
-   <source>Camera fault</source>
+   <source>Camera wrong</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation>相机错误</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
@@ -9012,9 +9070,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>当前相机在本帧有误；再按一次撤回判定</translation>
   </message>
   <message>
-   <source>Annotation fault</source>
+   <source>Labels wrong</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation>标注错误</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
@@ -9022,9 +9080,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>本帧的点击有误；再按一次撤回判定</translation>
   </message>
   <message>
-   <source>Fine</source>
+   <source>OK</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation>无误</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
@@ -9102,14 +9160,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>主题</translation>
   </message>
   <message>
-   <source>Light, dark, or as the system has it</source>
+   <source>Light, dark or system</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>浅色、深色或跟随系统</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>As the system</source>
+   <source>System</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation>跟随系统</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Light</source>
@@ -9122,14 +9180,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>深色</translation>
   </message>
   <message>
-   <source>Size of texts</source>
+   <source>Text size</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>文字大小</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>How large texts are, of what the system says; from the next start on</source>
+   <source>Text size, % of system (after restart)</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation>相对于系统设置的文字大小；下次启动时生效</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Language</source>
@@ -9137,9 +9195,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>语言</translation>
   </message>
   <message>
-   <source>The language of the window; from the next start on. Files stay as they are</source>
+   <source>Language of the window (after restart); files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation>窗口的语言；下次启动时生效。文件保持不变</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9147,14 +9205,14 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>图片上颜色的含义</translation>
   </message>
   <message>
-   <source>Your name</source>
+   <source>Author name</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>您的姓名</translation>
+   <translation type="unfinished" />
   </message>
   <message>
-   <source>Whose name points, comments and versions bear; empty: that of the system's user</source>
+   <source>Author name (empty = login name)</source>
    <extracomment>[the setting author]</extracomment>
-   <translation>点、评论和版本所署的姓名；留空则为系统用户名</translation>
+   <translation type="unfinished" />
   </message>
   <message>
    <source>Judging</source>
