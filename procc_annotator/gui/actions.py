@@ -189,7 +189,7 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "Ctrl+Shift+Return Ctrl+Shift+Enter", "stretch_accepting.accept",
           "Annotate the frames of the shot, or of the stretch marked on the strip, along their"
           " track; annotated ones are left out, and doubtful ones unless it is pressed again"),
-    _spec("Frame", "annotate_sure", "-Annotate all that is sure", "Ctrl+Alt+Return",
+    _spec("Frame", "annotate_sure", "-Annotate all that is sure", "Ctrl+Alt+Return Ctrl+Alt+Enter",
           "stretch_accepting.accept_sure",
           "Annotate every frame of the dataset whose camera is found and sure, in one step; Next"
           " doubtful frame (Alt+PgDown) then goes through the others, the least sure first"),
