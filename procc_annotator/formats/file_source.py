@@ -39,7 +39,6 @@ def walk(
     A folder that is a link is not gone into: it may lead out, or in a circle.
 
     Args:
-        root: the place.
         on_unread: called for each folder below it that cannot be listed, which is then left out;
             None: that is raised.
 

@@ -90,7 +90,6 @@ class ExchangedFrame:
     Attributes:
         name: the frame's name: the stem of its own file, or of its picture in formats that keep
             many frames in one file.
-        annotation: what is annotated in it.
         size: (width, height) of the picture in px; None if no one knows.
         picture: file name of the picture; None if no one knows.
     """
@@ -308,15 +307,15 @@ class WriteContext:
         )
         return None
 
-    def named_size(self, frame: ExchangedFrame) -> Size | None:
-        """The same for a format with the frame's name in its text, which must be able to spell
-        it."""
-        if is_unicode(frame.name):
-            return self.size(frame)
-        self.problems.append(
-            f"{printable(frame.name)}: not written: its name is no valid Unicode (rename the file)"
-        )
-        return None
+    def sized(self, frames: Iterable[ExchangedFrame]) -> Iterator[tuple[ExchangedFrame, Size]]:
+        """Frames with their sizes, for a format with the frame's name in its text, which must be
+        able to spell it; the others are problems."""
+        for frame in frames:
+            if not is_unicode(frame.name):
+                why = "its name is no valid Unicode (rename the file)"
+                self.problems.append(f"{printable(frame.name)}: not written: {why}")
+            elif (size := self.size(frame)) is not None:
+                yield frame, size
 
     def only_one(self, frame: ExchangedFrame, pictures: Sequence[str]) -> bool:
         """Return whether an existing file has one picture of a frame's name at most.

@@ -58,12 +58,10 @@ class AnnotationFormat:
 
     Attributes:
         name: on the command line.
-        title: shown to people.
         one_file: name of the only file of a set; empty where every frame has its own.
         in_pixels: whether the size of the pictures is needed.
         holds: what survives, in words (points always survive to the last digit).
         loses: what does not.
-        write: writes a set.
         read: reads a set; None for formats that are only written.
         sniff_json: whether decoded JSON is of this format.
         sniff: whether bytes are.
@@ -336,7 +334,6 @@ class ReadSet:
     """Content that was read.
 
     Attributes:
-        title: of the format.
         frames: name -> what is annotated in it, with the size of its picture if anyone knows it.
         problems: one line for each frame or file that could not be used.
         unread: of those problems the ones of a frame or file, by its name.
@@ -358,8 +355,6 @@ class SetReader:
     """One pass over a source of annotations; what went wrong is known when it is over.
 
     Attributes:
-        format: what the files are.
-        files: their names in the source.
         reading: what was noted on the way.
     """
 

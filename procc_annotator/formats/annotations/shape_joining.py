@@ -38,9 +38,6 @@ class ShapeCollector:
     """The shapes of one frame as they come, in the order of the file.
 
     Attributes:
-        path: of the file.
-        frame: its name.
-        reading: what the reader was given.
         size: of the frame's picture, px; the usual one if unknown.
     """
 

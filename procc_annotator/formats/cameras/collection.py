@@ -57,7 +57,6 @@ class CameraCollection:
     A file of many cameras is decoded once, when it is listed.
 
     Attributes:
-        path: where they are.
         format: one of `CAMERA_FORMATS`, or of a plug-in.
         frames: frame name -> the file its camera is in.
         remarks: about the collection, that a person should see.

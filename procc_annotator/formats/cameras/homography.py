@@ -203,7 +203,7 @@ def _matrices(data: bytes, path: str) -> FloatArray:
     return matrices
 
 
-def _finite(matrix: FloatArray, path: str, inside: str = "") -> FloatArray:
+def _finite(matrix: FloatArray, path: str, inside: str) -> FloatArray:
     if len(bad := np.argwhere(~np.isfinite(np.atleast_2d(matrix)))):
         place = f"row {bad[0][-2] + 1} column {bad[0][-1] + 1}"
         problem = f"expected a finite number, found {np.atleast_2d(matrix)[tuple(bad[0])]}"
@@ -265,7 +265,7 @@ def _of_matrix(
     )
 
 
-def _of_projection(matrix: FloatArray, path: str, inside: str = "") -> LoadedCamera:
+def _of_projection(matrix: FloatArray, path: str, inside: str) -> LoadedCamera:
     """The camera of (3, 4), or of (4, 4) with a last row that counts for nothing; CameraError for
     no camera, or a pose alone."""
     left = matrix[:3, :3]

@@ -38,7 +38,6 @@ class JsonValues:
     """An object of a camera file.
 
     Args:
-        content: the decoded object.
         path: the file, for messages.
         inside: where in the file the object stands; empty for all of it.
         kind: what it should be (``a SoccerNet camera``).

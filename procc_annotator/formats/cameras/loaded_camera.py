@@ -99,7 +99,6 @@ class CameraRecords:
     Attributes:
         path: the file, for messages.
         entries: frame name -> what the file holds for it; more than one entry cannot be read.
-        read_record: reads one entry.
         notices: remarks on parts of the file that belong to no frame.
         only_folder: that all pictures lie in by their names, while frames are called without it.
         passed_over: damaged records whose frames are unknown.
@@ -180,7 +179,6 @@ class CameraFormat:
 
     Attributes:
         name: value of ``--camera-format``.
-        title: for people.
         suffixes: of the files that may hold it, lower case.
         default_for: the suffixes ``auto`` reads with it.
         read: ``read(data, path=...)``, the camera of a file that holds one; None in the table for

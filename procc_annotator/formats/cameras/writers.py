@@ -66,7 +66,6 @@ class ConvertedCameras:
     """Files that were written.
 
     Attributes:
-        path: the folder or archive.
         written: number of cameras.
         problems: one line for each camera that could not be read or that the format cannot hold.
         losses: remarks on the cameras, what of them the format does not hold, and for how many.

@@ -151,10 +151,7 @@ class MetreMapLegend(ViewportOverlay):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(_PLATE)
-        painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
+        self.paint_plate(painter, _PLATE)
         painter.setPen(_TEXT)
         if self._words is not None:
             self._paint_scale(painter, self._words)

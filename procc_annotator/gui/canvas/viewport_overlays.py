@@ -48,6 +48,13 @@ class ViewportOverlay(QWidget):
         self._place = area.topLeft()
         self.setGeometry(area)
 
+    def paint_plate(self, painter: QPainter, tone: QColor) -> None:
+        """Paint a rounded ground, and go on smoothly and without an outline."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(tone)
+        painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
+
     def moveEvent(self, event: QMoveEvent) -> None:
         super().moveEvent(event)
         if self.pos() != self._place:
@@ -100,11 +107,8 @@ class NamePlate(ViewportOverlay):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self.paint_plate(painter, _PLATE)
         area = QRectF(self.rect())
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(_PLATE)
-        painter.drawRoundedRect(area, 4, 4)
         if self._colour is not None:
             painter.setPen(QPen(_LIGHT, 1))
             painter.setBrush(self._colour)

@@ -84,7 +84,6 @@ class Workspaces(QObject):
 
     Attributes:
         by_name: one dock for each panel.
-        workspace: the one in sight.
     """
 
     turned = Signal(str)  # which workspace is in sight

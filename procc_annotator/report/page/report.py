@@ -104,7 +104,6 @@ class ReportInputs:
 
     Attributes:
         cameras: of the report's sources, in their order.
-        pictures: frame -> picture.
         over_time: the sources over their shots; none unless that was asked.
     """
 

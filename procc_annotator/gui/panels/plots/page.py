@@ -383,7 +383,6 @@ class PlotPage(QWidget, Generic[D]):
     """One plot; anyone who holds it computes its data, perhaps in another thread, and has it drawn.
 
     Class attributes:
-        name: its object name.
         title: its name in the list of plots, marked by ``word``.
         scopes: which choices of frames make sense.
         by_class: whether one class can be chosen.
