@@ -220,7 +220,6 @@ def _matches_target(band: ProfileBand, sought: LineTarget) -> bool:
 def _profiles_with_band(
     band: ProfileBand, cuts: PixelArray, colour: Values, *, edge: bool
 ) -> list[int]:
-    """The cuts across that show a band."""
     middle = round(band.centre)
     columns = np.array([band.left, middle - 1, middle, middle + 1, band.right])
     weights = (_EDGE_STEP if edge else _BAND_STEP)[:, None] * colour

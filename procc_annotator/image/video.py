@@ -39,7 +39,7 @@ class Video:
 
     def __init__(self, path: Path) -> None:
         """Decode the first frames, as `open` does."""
-        self._path = path
+        self.path = path
         self._first = probe_stream(path)
         self._lock = threading.RLock()
         self._index: PacketIndex | None = None
@@ -61,11 +61,6 @@ class Video:
 
     def __exit__(self, *failure: object) -> None:
         self.close()
-
-    @property
-    def path(self) -> Path:
-        """The file."""
-        return self._path
 
     @property
     def size(self) -> tuple[int, int]:
@@ -127,7 +122,7 @@ class Video:
                 raise self._error(number, "the video was closed")
             index = self.read_index()
             if self._reader is None:
-                self._reader = FrameReader(self._path, index)
+                self._reader = FrameReader(self.path, index)
             pixels = self._reader.frame(number) if 0 <= number < len(index.places) else None
             count = len(index.places)
         if not 0 <= number < count:
@@ -143,7 +138,7 @@ class Video:
         """Read the packets of the video now, so that nothing that needs them waits later."""
         with self._lock:
             if self._index is None:
-                self._index = read_packet_index(self._path, self._first.times)
+                self._index = read_packet_index(self.path, self._first.times)
             return self._index
 
     def release(self) -> None:
@@ -160,7 +155,7 @@ class Video:
             self.release()
 
     def _error(self, number: int, problem: str) -> ImageError:
-        return ImageError(self._path, problem, place=f"frame {number}")
+        return ImageError(self.path, problem, place=f"frame {number}")
 
 
 def open_shared_video(path: Path) -> Video:

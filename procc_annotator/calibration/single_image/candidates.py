@@ -301,7 +301,6 @@ def _rank_candidates(scene: SearchScene, tried: Sequence[LineAlignment]) -> list
 
 
 def _prior_mean(prior: GaussianPrior) -> FloatArray:
-    """(11,) its mean."""
     return np.concatenate([prior.mean[0], np.zeros(len(PARAMETERS) - prior.mean.shape[1])])
 
 

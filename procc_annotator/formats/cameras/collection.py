@@ -189,7 +189,6 @@ class CameraCollection:
         return top if top.issuperset(self.frames.values()) else frozenset(self._source.tree())
 
     def _read_beside(self, file: str) -> bytes | None:
-        """The content of a file of the source; None if there is no readable one."""
         try:
             return self._source.read(file) if file in self._all_files else None
         except InputError:  # gone, or damaged: it says nothing

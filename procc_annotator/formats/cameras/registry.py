@@ -225,7 +225,6 @@ def _read_or_name(read: Callable[..., T], data: bytes, path: str) -> T:
 
 
 def _refuse_unread(path: str, data: bytes = b"") -> None:
-    """Refuse what is of a program whose files are not read."""
     if (unread := unread_format(path, data)) is not None:
         raise CameraError(path, unread.problem, advice=unread.advice)
 

@@ -145,7 +145,6 @@ class MetreMapLegend(ViewportOverlay):
         self.put(QRect(QPoint(_EDGE, top), QSize(width, height)))
 
     def _problem_room(self, width: int) -> QRectF:
-        """Return what the wrapped remark takes."""
         room = QRectF(0, 0, width - 2 * _EDGE, 1000)
         return QFontMetricsF(self.font()).boundingRect(room, _WRAPPED, self.problem)
 
@@ -219,10 +218,6 @@ class MetreMaps(QObject):
         if hidden != self._hidden:
             self._hidden = hidden
             self._show()
-
-    def place(self) -> None:
-        """Arrange everything in the viewport as it is now."""
-        self.legend.place()
 
     def _show(self) -> None:
         if self._hidden or self._services.state.frame is None:

@@ -453,10 +453,6 @@ class PlotPage(QWidget, Generic[D]):
         """Return whether there is nothing but words."""
         return self._pages.currentWidget() is self.empty
 
-    def say_empty(self, why: str) -> None:
-        """Show words in place of the plot, or the plot (no words)."""
-        self._pages.explain(why)
-
     def add_plot(self, row: int, bottom: str, left: str, *, movable: bool = True) -> Any:
         """A set of axes with labels."""
         item = self.view.addPlot(row=row, col=0, enableMenu=False)  # a third of its time to make
