@@ -100,9 +100,11 @@ class Element:
 
     Attributes:
         name: exact class name in files.
+        title: shown to people.
         group: what it belongs to, shown to people.
         colour: ``#rrggbb``.
         shortcut: key (sequence) that selects it; "" for none.
+        geometry: where it is.
         optional: whether it is judged only where a person annotated it: a mark or a landmark that
             a set need not have. It is never a false positive, and the ``soccernet`` protocol, which
             knows the official classes only, leaves it out.
@@ -160,6 +162,7 @@ class Landmark:
         surveyed: whether a person gave the position; triangulated otherwise.
         colour: ``#rrggbb``; "" for one of its own choosing.
         shortcut: key that selects it; "" for none.
+        note: for people.
         frames: those it was triangulated from.
         extra: keys of the file that we do not know.
     """

@@ -29,6 +29,7 @@ class ElementScore:
 
     Attributes:
         name: the class in the labelling that counts; annotated_name: as the annotator labels it.
+        status: the verdict.
         distances: (n,) px in the order of the polyline's points, empty where there are none.
         max_distance: the largest one; None where there are none or it is undefined.
         deciding_point: index in the polyline of the point with that distance.

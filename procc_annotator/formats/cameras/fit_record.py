@@ -260,6 +260,7 @@ class LeftOutElement:
     """One element under the camera of the others, and under that of all.
 
     Attributes:
+        name: the class.
         predicted_px, explained_px: how far its farthest point is from where the camera of the
             others, and that of all, shows it; None where it does not show it.
     """
