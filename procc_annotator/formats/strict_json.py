@@ -124,11 +124,8 @@ def decode_strict(
 
 
 def decode_as(data: bytes, kind: type[T], what: str, *, path: Path | str) -> T:
-    """The decoded value of a known type, without keys that the type does not know.
-
-    Raises:
-        InputError: it is not UTF-8, not JSON, nested too deeply, or of another type.
-    """
+    """The decoded value of a known type, without keys that the type does not know. `InputError` if
+    it is not UTF-8, not JSON, nested too deeply, or of another type."""
     try:
         return msgspec.json.decode(strip_bom(data), type=kind)
     except (msgspec.DecodeError, UnicodeDecodeError) as problem:

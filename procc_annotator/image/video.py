@@ -113,10 +113,7 @@ class Video:
 
     def frame(self, number: int) -> PixelArray:
         """A frame, counted from 0, as (H, W, 4) uint8 BGRA, C-contiguous, opaque and read-only.
-
-        Raises:
-            ImageError: there is no such frame, or it is damaged.
-        """
+        `ImageError` if there is no such frame, or it is damaged."""
         with self._lock:
             if self._closed:
                 raise self._error(number, "the video was closed")
@@ -197,10 +194,7 @@ def video_frame_of_path(path: Path) -> tuple[Path, int] | None:
 
 def frames_at_interval(video: Video, seconds: float) -> list[int]:
     """The first frame and then one every ``seconds``, each the first at or after its time.
-
-    Raises:
-        ValueError: ``seconds`` is not above zero.
-    """
+    `ValueError` if ``seconds`` is not above zero."""
     if not seconds > 0:
         raise ValueError(f"expected a time above zero, got {seconds}")
     times = video.times_s

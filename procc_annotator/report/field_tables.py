@@ -210,11 +210,7 @@ class FlatField:
 
 
 def check_picture_suffix(path: PurePath) -> None:
-    """Fail before the work.
-
-    Raises:
-        UsageError: it is no picture that can be written.
-    """
+    """Fail before the work. `UsageError` if it is no picture that can be written."""
     if path.suffix.lower() not in SUFFIXES:
         raise UsageError(f"{path}: expected a name that ends in {' or '.join(SUFFIXES)}")
 

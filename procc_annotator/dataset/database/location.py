@@ -189,11 +189,8 @@ def open_or_fallback(dataset: Path) -> tuple[Path | None, OpenedDatabase, tuple[
 
 def read_settings(dataset: Path) -> tuple[dict[str, str], str]:
     """The settings of a dataset (its folder, or a picture in it), by key, and a notice if the
-    database is lost; empty if all is well. Nothing is made, written or fixed.
-
-    Raises:
-        InputError: there is a workspace, but it cannot be read.
-    """
+    database is lost; empty if all is well. Nothing is made, written or fixed. `InputError` if there
+    is a workspace, but it cannot be read."""
     start = SETTING_KEY
     meta, notice = _read_meta(dataset)
     found = {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}

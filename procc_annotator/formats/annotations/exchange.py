@@ -194,11 +194,7 @@ class ReadContext:
 
     def frame_of_picture(self, picture: Any, path: str, place: str) -> str:
         """The frame that a picture's name in the file belongs to; whatever goes wrong next is
-        reported of it.
-
-        Raises:
-            AnnotationError: it is no text, or cannot be the name of a frame.
-        """
+        reported of it. `AnnotationError` if it is no text, or cannot be the name of a frame."""
         names = self._pictures or PictureFrames(())
         self.at = names.frame(picture, path, place)
         return self.at
@@ -391,11 +387,7 @@ def size_from_file(width: Any, height: Any, path: str, place: str) -> Size | Non
 
 
 def require_objects(content: Any, keys: Sequence[str], path: str, kind: str) -> dict[str, Any]:
-    """A decoded file with lists of objects under some keys.
-
-    Raises:
-        AnnotationError: they are not.
-    """
+    """A decoded file with lists of objects under some keys. `AnnotationError` if they are not."""
     for key in keys:
         entries = content.get(key) if type(content) is dict else None
         if type(entries) is not list:

@@ -171,11 +171,7 @@ NAMES: tuple[str, ...] = tuple(f.name for f in FORMATS)
 
 
 def format_named(name: str) -> AnnotationFormat:
-    """A format by its name.
-
-    Raises:
-        UsageError: no such format.
-    """
+    """A format by its name. `UsageError` if there is none."""
     for known in FORMATS:
         if known.name == name:
             return known
@@ -211,11 +207,7 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
 
 def read_plain(data: bytes, path: str, field: Field) -> FrameAnnotation:
     """A frame's annotation of this program, as of `read_annotation`; what is one of another format
-    is reported so.
-
-    Raises:
-        AnnotationError: it cannot be used.
-    """
+    is reported so. `AnnotationError` if it cannot be used."""
     try:
         return read_annotation(data, path=path, field=field)
     except AnnotationError as error:

@@ -130,11 +130,8 @@ class CameraCollection:
         return (*self.remarks, *said[:_SHOWN], *more)
 
     def read(self, frame: str, field: Field | None = None) -> LoadedCamera:
-        """The camera of a frame of `frames`.
-
-        Raises:
-            CameraError: the file is damaged or gone, or would be taken for one of another field.
-        """
+        """The camera of a frame of `frames`. `CameraError` if the file is damaged or gone, or would
+        be taken for one of another field."""
         file = self.frames[frame]
         own = self.frames.name_there(frame) or frame
         if file in self._records:

@@ -159,11 +159,8 @@ def _looks_like(units_from_image: FloatArray, size: tuple[int, int]) -> str:
 
 
 def numbers_of_text(data: bytes, path: str) -> list[float]:
-    """The numbers of a text, separated by white space or commas; # begins a comment.
-
-    Raises:
-        CameraError: no text, or something else than finite numbers.
-    """
+    """The numbers of a text, separated by white space or commas; # begins a comment. `CameraError`
+    for no text, or something else than finite numbers."""
     text = utf8_text(data, path)
     numbers: list[float] = []
     for line_number, line in enumerate(text.splitlines(), 1):
@@ -227,11 +224,8 @@ def _assumed(data: bytes, path: str) -> str:
 
 
 def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
-    """The camera of a matrix in a file that no one named the format of.
-
-    Raises:
-        CameraError: no matrix of a camera.
-    """
+    """The camera of a matrix in a file that no one named the format of. `CameraError` for no matrix
+    of a camera."""
     matrix = _matrices(data, path)
     if matrix.shape not in _SHAPES.values():
         raise _wrong_shape(matrix, path)
@@ -240,11 +234,7 @@ def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
 
 def matrix_records(data: bytes, *, path: str) -> CameraRecords | None:
     """The cameras of an ``.npy`` with a matrix a frame, or of text with one a line; None for a file
-    of one.
-
-    Raises:
-        CameraError: damaged.
-    """
+    of one. `CameraError` if it is damaged."""
     matrices = _matrices(data, path)
     if matrices.ndim != 3 or matrices.shape[1:] not in _SHAPES.values():
         return None

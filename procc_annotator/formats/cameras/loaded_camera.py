@@ -125,11 +125,8 @@ class CameraRecords:
         passed_over: Sequence[CameraError] = (),
     ) -> CameraRecords:
         """From (picture's name, record) pairs in file order; frames are called by the last parts of
-        these names, or by their paths where they lie in several folders.
-
-        Raises:
-            CameraError: there is none, and something was expected.
-        """
+        these names, or by their paths where they lie in several folders. `CameraError` if there is
+        none, and something was expected."""
         pairs = list(found)
         if expected and not pairs:
             raise CameraError(path, f"holds no camera, expected {expected}")
@@ -151,11 +148,7 @@ class CameraRecords:
         return replace(self, entries=entries, only_folder="", shots=shots)
 
     def read(self, frame: str) -> LoadedCamera:
-        """The camera of a frame.
-
-        Raises:
-            CameraError: it is damaged, or the frame has two.
-        """
+        """The camera of a frame. `CameraError` if it is damaged, or the frame has two."""
         records = self.entries[frame]
         if len(records) > 1:
             places = " and ".join(record.place for record in records[:3])

@@ -108,11 +108,8 @@ def _recognised(data: bytes, path: str, name: str | None) -> tuple[CameraFormat,
 
 
 def only_record(records: CameraRecords) -> LoadedCamera:
-    """The camera of a file of many that happens to hold one.
-
-    Raises:
-        CameraError: it holds several, or its camera is damaged.
-    """
+    """The camera of a file of many that happens to hold one. `CameraError` if it holds several, or
+    its camera is damaged."""
     if len(records.entries) != 1:
         raise CameraError(
             records.path,

@@ -168,11 +168,7 @@ CAMERA_TARGETS: tuple[str, ...] = tuple(writer.name for writer in WRITERS)
 
 
 def writer_of(name: str) -> CameraWriter:
-    """The writer of a format.
-
-    Raises:
-        UsageError: no such format.
-    """
+    """The writer of a format. `UsageError` if there is none."""
     for writer in WRITERS:
         if writer.name == name:
             return writer
