@@ -22,11 +22,7 @@ def open_regular(path: Path | str, mode: str = "rb", buffering: int = -1) -> Bin
 
 
 def read_head(path: Path | str, count: int) -> bytes:
-    """The first bytes of a regular file.
-
-    Raises:
-        OSError: as of `open_regular`.
-    """
+    """The first bytes of a regular file. `OSError` as of `open_regular`."""
     with open_regular(path, buffering=0) as file:
         return file.read(count)
 

@@ -10,11 +10,8 @@ _PACKAGE = Path(__file__).resolve().parent
 
 
 def resources_dir() -> Path:
-    """The folder that holds ``field/``, ``report/`` and ``desktop/``.
-
-    Raises:
-        FileNotFoundError: the installation is incomplete.
-    """
+    """The folder that holds ``field/``, ``report/`` and ``desktop/``. `FileNotFoundError` if the
+    installation is incomplete."""
     for folder in (_PACKAGE / "_resources", _PACKAGE.parent / "resources"):
         if (folder / "field").is_dir():
             return folder

@@ -52,7 +52,6 @@ class AcceptedGhosts:
     Attributes:
         annotation: with those that were accepted.
         accepted: ghosts with lines that are seen well enough.
-        left: the others.
     """
 
     annotation: FrameAnnotation

@@ -213,7 +213,6 @@ def fitted_cameras(names: LabelMap, field: Field) -> CameraOf:
 def _nearest(
     points: Points, projected: ProjectedField, setup: EvaluationSetup, field: Field
 ) -> str | None:
-    """The element that all points of a shape are on, the nearest of several."""
     names = [e.name for e in field.elements if _could_be(e, len(points))]
     disguised = FrameAnnotation(tuple(Polyline(name, points) for name in names))
     plain = measure_projected(disguised, projected, setup).plain

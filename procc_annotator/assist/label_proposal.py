@@ -191,7 +191,6 @@ class LabelProposal:
         rule: what is proposed; None where nothing is.
         surety: ``sure`` by two ways that agree, or by the very words; ``likely`` by one; ``open``
             where a person has to say.
-        why: in words.
         like: classes that it may be, where it is open.
     """
 

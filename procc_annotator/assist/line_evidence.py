@@ -35,7 +35,6 @@ class ExpectedLines:
     """Expected look of each element in one picture.
 
     Args:
-        width_px: of the picture.
         camera: in px of the picture; None if unknown or hidden.
         edges: whether lines of any tone are edges between two areas, without paint.
     """

@@ -67,7 +67,6 @@ class ClickedView:
     """A click on the place in one view.
 
     Attributes:
-        name: of the frame.
         camera: of the frame, px of the picture size that the point is in.
         point_px: (2,) px.
         click_px: standard deviation of the click along each axis, px.

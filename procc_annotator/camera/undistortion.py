@@ -158,7 +158,6 @@ class _DistortionModel:
         return np.asarray(r * self._factor(r * r)[0])
 
     def radial_slope(self, r: Values) -> Values:
-        """Derivative of `radial`."""
         r2 = r * r
         f, slope = self._factor(r2)
         return np.asarray(f + 2 * r2 * slope)

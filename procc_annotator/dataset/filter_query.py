@@ -289,16 +289,31 @@ def _has(word: Word, field: Field) -> _Term:
 # ------------------------------------------------------------------------------ numbers
 
 
-def _elements(word: Word) -> _Term:
-    interval = read_interval(word.value, whole=True, example="<5")
+def _in_interval(
+    word: Word,
+    number: Callable[[FrameFacts], float | None],
+    needs: int = _NEEDS_NOTHING,
+    *,
+    example: str,
+    whole: bool = True,
+) -> _Term:
+    interval = read_interval(word.value, whole=whole, example=example)
     if isinstance(interval, str):
         return _unfinished(word.value.place, interval)
     holds = interval.holds
 
     def test(facts: FrameFacts) -> bool | None:
-        return None if facts.annotated is None else holds(len(facts.annotated))
+        found = number(facts)
+        return None if found is None else holds(found)
 
-    return _Term(test, _ANNOTATION)
+    return _Term(test, needs)
+
+
+def _elements(word: Word) -> _Term:
+    def count(facts: FrameFacts) -> int | None:
+        return None if facts.annotated is None else len(facts.annotated)
+
+    return _in_interval(word, count, _ANNOTATION, example="<5")
 
 
 def _comments(word: Word) -> _Term:
@@ -309,11 +324,7 @@ def _comments(word: Word) -> _Term:
         return _Term(lambda facts: facts.comments == 0)
     if given and ("open".startswith(given) or "none".startswith(given)):
         return _unfinished(word.value.place, f"{cut(given)} is not finished: open, none")
-    interval = read_interval(word.value, whole=True, example=">0 (or open, none)")
-    if isinstance(interval, str):
-        return _unfinished(word.value.place, interval)
-    holds = interval.holds
-    return _Term(lambda facts: holds(facts.comments))
+    return _in_interval(word, lambda facts: facts.comments, example=">0 (or open, none)")
 
 
 def _jac(word: Word, written_tau: str | None) -> _Term:
@@ -327,16 +338,7 @@ def _jac(word: Word, written_tau: str | None) -> _Term:
         return _Term(lambda facts: facts.jac(tau) is None, _JAC)
     if given and "none".startswith(given):
         return _unfinished(word.value.place, f"{cut(given)} is not finished: none")
-    interval = read_interval(word.value, whole=False, example="<0.8")
-    if isinstance(interval, str):
-        return _unfinished(word.value.place, interval)
-    holds = interval.holds
-
-    def test(facts: FrameFacts) -> bool | None:
-        jac = facts.jac(tau)
-        return None if jac is None else holds(jac)
-
-    return _Term(test, _JAC)
+    return _in_interval(word, lambda facts: facts.jac(tau), _JAC, example="<0.8", whole=False)
 
 
 _READERS: Mapping[str, Callable[[Word], _Term]] = {

@@ -35,16 +35,13 @@ class OriginKind(StrEnum):
     COPIED = word("copied", "points")
     MOVED = word("moved", "points")
     SUGGESTED = word("accepted suggestion", "points")
-    PROPOSED = word(
-        "proposed", "points"
-    )  # found in the picture without a click; nobody has looked at it yet
+    # Found in the picture without a click; nobody has looked at it yet.
+    PROPOSED = word("proposed", "points")
     ACCEPTED = word("accepted proposal", "points")  # of a camera found without a click, by a person
-    UNCONFIRMED = word(
-        "unconfirmed by paint", "points"
-    )  # the program looked for paint there and found none
-    FILE = word(
-        "from the file", "points"
-    )  # it was there when the file was read: nothing else is known
+    # The program looked for paint there and found none.
+    UNCONFIRMED = word("unconfirmed by paint", "points")
+    # It was there when the file was read: nothing else is known.
+    FILE = word("from the file", "points")
 
 
 @dataclass(frozen=True, slots=True)

@@ -97,12 +97,9 @@ class PendingSave:
     """Content to be saved to a frame's file. Knows only files, so any thread may write it.
 
     Attributes:
-        index: the frame.
-        path: its annotation file.
         image_folder: where its picture lies.
         inside: links are not followed out of this folder.
         expected: digest of what was read from or written to the file last; None without a file.
-        annotation: the new content.
         reason: what the version is called.
         removes: the file was made by edits that are all taken back: it goes away again.
         attempted: digests of what writes that failed may have left in the file.

@@ -50,7 +50,6 @@ class PictureSource:
     """Pictures in their order.
 
     Attributes:
-        path: the folder or video.
         folder: the dataset's own, which need not exist yet for a video.
         frames: their names, pictures and annotation files; pictures by absolute paths, so that any
             worker finds them.

@@ -424,7 +424,6 @@ class AnnotatedFrames:
     """Frames by number, and what is annotated in them.
 
     Attributes:
-        field: what is annotated.
         names: of all frames, in natural order; some may have no annotation.
         folders: where nothing may be written.
         read: a frame's annotation by its index, however short; None where no one annotated it.

@@ -232,7 +232,6 @@ class MarkingReader:
     """Content of a file on all its elements, and on each.
 
     Args:
-        values: of the file.
         lines: its table ``[paint]``: what holds for all elements on the ground.
         bars: its table ``[bars]``: what holds for all that are not on the ground.
 

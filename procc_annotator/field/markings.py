@@ -126,7 +126,6 @@ def border_offsets(element: Element, normal: FloatArray) -> tuple[float, ...]:
 
 
 def _closest_point_on_part(part: Part, place: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The point of a part that is nearest to a place, and the direction there."""
     if isinstance(part, Line):
         start, end = np.array(part.start), np.array(part.end)
         way = end - start

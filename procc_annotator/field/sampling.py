@@ -333,7 +333,6 @@ def distinctive_points(elements: tuple[Element, ...]) -> tuple[tuple[str, ...], 
 
 
 def _end_points(element: Element) -> list[tuple[float, float, float]]:
-    """The ends of an element and of its parts."""
     geometry = element.geometry
     if isinstance(geometry, Spot):
         return [geometry.position]

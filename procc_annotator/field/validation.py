@@ -54,8 +54,6 @@ class FieldWarning:
 
     Attributes:
         place: where in the file, as errors name it.
-        text: what is so, a plain sentence.
-        advice: what to do about it.
         severity: an error fails for a person, a warning is most likely a mistake, a note is not.
     """
 

@@ -54,7 +54,6 @@ def draw_overlay(
 
     Args:
         pixels: (H, W, 4) BGRA, the picture.
-        shown: the content of the overlay.
         look: its scale; legend and width are not used.
         caption: in the lower left corner.
         svg: as SVG, instead of an array (H, W, 4) BGRA.

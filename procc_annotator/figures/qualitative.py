@@ -116,7 +116,6 @@ def _caption(axes: Any, scene: Scene) -> None:
 
 
 def _legend(scenes: Sequence[Scene]) -> list[LegendEntry]:
-    """The entries of all scenes, each once."""
     found = [
         entry
         for scene in scenes

@@ -32,10 +32,7 @@ else:
 
     def try_lock(descriptor: int) -> bool:
         """Lock an open file for this process if no other one has; the lock ends with either.
-
-        Raises:
-            OSError: the file system knows no locks.
-        """
+        `OSError` if the file system knows no locks."""
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -96,10 +93,7 @@ def open_replacing(
     look_again: Callable[[], object] = lambda: None,
 ) -> Iterator[BinaryIO]:
     """A stream that replaces the content of a file if the block ends well, as `write_atomic`.
-
-    Raises:
-        SaveError: as of `write_atomic`.
-    """
+    `SaveError` as of `write_atomic`."""
     target = Path(os.path.realpath(path))
     if inside is not None and not target.is_relative_to(os.path.realpath(inside)):
         raise SaveError(
@@ -133,11 +127,7 @@ def open_replacing(
 
 
 def make_folder(path: Path) -> None:
-    """Make a folder and those above it, unless it is there.
-
-    Raises:
-        SaveError: it cannot be made.
-    """
+    """Make a folder and those above it, unless it is there. `SaveError` if it cannot be made."""
     try:
         path.mkdir(parents=True, exist_ok=True)
     except (FileExistsError, NotADirectoryError) as error:
@@ -190,11 +180,8 @@ def sibling_path(path: Path, before: str, after: str) -> Path:
 
 
 def remove(path: Path) -> None:
-    """Remove a file, if there is one, and have the disk keep that it is gone.
-
-    Raises:
-        SaveError: it could not be removed.
-    """
+    """Remove a file, if there is one, and have the disk keep that it is gone. `SaveError` if it
+    could not be removed."""
     try:
         path.unlink(missing_ok=True)
     except OSError as error:

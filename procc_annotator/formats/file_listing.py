@@ -86,11 +86,8 @@ def is_other_json(content: Any) -> bool:
 
 
 def require_lists(annotation: FrameAnnotation, path: str) -> None:
-    """Refuse an annotation of a set that has no list of points but other content.
-
-    Raises:
-        AnnotationError: it is such.
-    """
+    """Refuse an annotation of a set that has no list of points but other content. `AnnotationError`
+    if it is such."""
     if annotation.extra and not annotation.polylines:
         raise AnnotationError(
             path,
@@ -142,10 +139,7 @@ UNSURE_FOLDER = "unsure"  # of cameras that are looked at before they are used
 
 def files_of(source: FileSource, wanted: Callable[[str], bool]) -> tuple[list[str], bool]:
     """The files of a kind in a source, in natural order, and whether it is a tree of them.
-
-    Raises:
-        InputError: the source cannot be listed.
-    """
+    `InputError` if the source cannot be listed."""
     top = source.files()
     found = [name for name in top if wanted(_file_of(name))]
     if found or any(map(PICTURE_SUFFIX.search, top)):  # what lies below pictures is not theirs

@@ -39,7 +39,6 @@ def walk(
     A folder that is a link is not gone into: it may lead out, or in a circle.
 
     Args:
-        root: the place.
         on_unread: called for each folder below it that cannot be listed, which is then left out;
             None: that is raised.
 
@@ -165,12 +164,8 @@ class FileSource(Protocol):
         """Names of the files at the top, or in the only folder there, in natural order."""
 
     def tree(self) -> list[str]:
-        """Names of all files, however deep, folder after folder in natural order.
-
-        Raises:
-            InputError: a folder cannot be listed, or there are more, or deeper ones, than any set
-                has.
-        """
+        """Names of all files, however deep, folder after folder in natural order. `InputError` if a
+        folder cannot be listed, or there are more, or deeper ones, than any set has."""
 
     def folders(self) -> list[str]:
         """Names of the folders at the top, in natural order."""

@@ -241,10 +241,7 @@ class PictureFrames:
 
 def frame_of_picture(picture: Any, path: str, place: str) -> str:
     """The frame a picture's name in a file belongs to: its last part, without the suffix.
-
-    Raises:
-        AnnotationError: it is no text, or cannot be the name of a frame.
-    """
+    `AnnotationError` if it is no text, or cannot be the name of a frame."""
     if type(picture) is not str:
         raise AnnotationError(
             path,

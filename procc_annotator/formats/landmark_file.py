@@ -99,11 +99,8 @@ def load_landmarks(path: Path) -> LandmarkFile:
 
 
 def save_landmarks(path: Path, landmarks: LandmarkFile) -> None:
-    """Write a file of landmarks in one step; the old one stays if that fails.
-
-    Raises:
-        SaveError: it could not be written.
-    """
+    """Write a file of landmarks in one step; the old one stays if that fails. `SaveError` if it
+    could not be written."""
     write_atomic(path, encode_landmarks(landmarks), inside=path.parent)
 
 

@@ -123,20 +123,15 @@ def decode_strict(
     return content
 
 
-def decode_as(
-    data: bytes, kind: type[T], what: str, *, path: Path | str, error: type[InputError] = InputError
-) -> T:
-    """The decoded value of a known type, without keys that the type does not know.
-
-    Raises:
-        error: it is not UTF-8, not JSON, nested too deeply, or of another type.
-    """
+def decode_as(data: bytes, kind: type[T], what: str, *, path: Path | str) -> T:
+    """The decoded value of a known type, without keys that the type does not know. `InputError` if
+    it is not UTF-8, not JSON, nested too deeply, or of another type."""
     try:
         return msgspec.json.decode(strip_bom(data), type=kind)
     except (msgspec.DecodeError, UnicodeDecodeError) as problem:
-        raise error(path, f"is no {what}: {problem}") from problem
+        raise InputError(path, f"is no {what}: {problem}") from problem
     except RecursionError as problem:
-        raise _too_deep(path, error) from problem
+        raise _too_deep(path, InputError) from problem
 
 
 _KINDS = {
@@ -149,18 +144,11 @@ _PHRASES = (
 )  # fmt: skip
 
 
-def convert_as(
-    value: object,
-    kind: type[T],
-    *,
-    path: Path | str,
-    place: str,
-    error: type[InputError] = InputError,
-) -> T:
+def convert_as(value: object, kind: type[T], *, path: Path | str, place: str) -> T:
     """A decoded value as a type of msgspec; keys that the type does not know are left out.
 
     Raises:
-        error: it is of another type: the place inside it, and what was expected.
+        InputError: it is of another type: the place inside it, and what was expected.
     """
     try:
         return msgspec.convert(value, kind)
@@ -171,7 +159,8 @@ def convert_as(
         text = _QUOTED.sub(
             lambda m: " or ".join(_KINDS.get(k, repr(k)) for k in m[1].split(" | ")), text
         )
-        raise error(path, text, place=place + inside[:-1], advice="correct the file") from problem
+        advice = "correct the file"
+        raise InputError(path, text, place=place + inside[:-1], advice=advice) from problem
 
 
 def is_finite_number(value: object) -> TypeGuard[float]:

@@ -17,8 +17,6 @@ class UnreadFormat:
     """A format of another program.
 
     Attributes:
-        title: of the format.
-        advice: what to do instead.
         suffixes: of files that are of no other format, lower case.
         marks: of which the first 4 kB hold one.
         is_of: whether the bytes of a file are of the format.

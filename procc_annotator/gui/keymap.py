@@ -307,5 +307,4 @@ def key_text(field: Field, class_name: str, keymap: Keymap = USUAL) -> str:
 
 
 def _beginnings(chords: _Chords) -> list[_Chords]:
-    """All that a sequence begins with, itself included."""
     return [chords[: i + 1] for i in range(len(chords))]

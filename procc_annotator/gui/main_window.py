@@ -114,7 +114,6 @@ class MainWindow(QMainWindow):
     # --- assembly -------------------------------------------------------------------------
 
     def _make_bars(self) -> None:
-        """Make the bars around the picture and the panels."""
         self.workspace_switch = WorkspaceSwitch(self.actions_)
         self.cameras.comparing.add_actions(self.actions_["split"], self.actions_["disagreement"])
         self.fit.add_actions(self.actions_["live_fit"], self.actions_["save_fit"])
@@ -139,7 +138,6 @@ class MainWindow(QMainWindow):
         self.setStatusBar(self.status)
 
     def _make_helpers(self) -> None:
-        """Make tips, key helpers and reports."""
         self.focus_return = FocusReturn(self.canvas)
         self.finding_tips = FindingTips(self.services, self.canvas)
         self.focus_ring = FocusRing(self)

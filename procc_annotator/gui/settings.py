@@ -125,10 +125,8 @@ class Setting(Generic[T]):
     """One row of the table.
 
     Attributes:
-        key: its name in the file.
         kind: how its values are kept there.
         default: what holds where nothing is kept, or nothing of its kind.
-        text: what it is.
         scope: the window's, or of each dataset its own.
         most: values, or datasets, that are kept; those used longest ago go.
         shown: how the dialog of settings offers it; None for what is remembered only.

@@ -41,11 +41,8 @@ _HALF_SIZE_MIN_PIXELS = 1_000_000  # of what takes a hand's time to decode
 
 
 def decode_bgra(path: Path) -> PixelArray:
-    """The picture as (H, W, 4) uint8, C-contiguous, opaque and read-only.
-
-    Raises:
-        ImageError: it is not a readable picture, or has more than 100 megapixels.
-    """
+    """The picture as (H, W, 4) uint8, C-contiguous, opaque and read-only. `ImageError` if it is not
+    a readable picture, or has more than 100 megapixels."""
     video_frame = video_frame_of_path(path)
     if video_frame is not None:
         video, number = video_frame
@@ -98,10 +95,7 @@ def decode_half_size(path: Path) -> HalfSizeImage | None:
 
 def decode_thumbnail(path: Path, max_side: int = 160) -> PixelArray:
     """A small version, (h, w, 4) uint8 like `decode_bgra`, its longer side at most ``max_side`` px.
-
-    Raises:
-        ImageError: it is not a readable picture.
-    """
+    `ImageError` if it is not a readable picture."""
     if video_frame_of_path(path) is not None:
         small = np.ascontiguousarray(downscale_to(decode_bgra(path), max_side))
         small.flags.writeable = False
@@ -124,10 +118,7 @@ def downscale_to(pixels: PixelArray, max_side: int) -> PixelArray:
 
 def read_size(path: Path) -> tuple[int, int]:
     """(width, height) in px; of a video's frame that of the video, without decoding the frame.
-
-    Raises:
-        ImageError: it is not a readable picture.
-    """
+    `ImageError` if it is not a readable picture."""
     video_frame = video_frame_of_path(path)
     if video_frame is not None:
         return open_shared_video(video_frame[0]).size
@@ -212,10 +203,7 @@ class FrameCache:
 
     def get(self, path: Path) -> PixelArray:
         """The picture, decoded now unless it is here already (or waited for, if on its way).
-
-        Raises:
-            ImageError: it is not a readable picture.
-        """
+        `ImageError` if it is not a readable picture."""
         stamp = _file_stamp(path)
         with self._changed:
             self._changed.wait_for(lambda: path not in self._decoding)
@@ -227,10 +215,7 @@ class FrameCache:
 
     def get_ready(self, path: Path) -> PixelArray:
         """As `get`, with what is made of it before it is wanted; in any thread but the interface's.
-
-        Raises:
-            ImageError: it is not a readable picture.
-        """
+        `ImageError` if it is not a readable picture."""
         picture = self.get(path)
         self.foresee(picture)
         return picture

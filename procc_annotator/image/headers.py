@@ -39,11 +39,8 @@ def is_valid_size(width: int, height: int) -> bool:
 
 
 def require_valid_size(path: Path, width: int, height: int) -> None:
-    """Refuse what is no picture of a field, before a camera is looked for in it.
-
-    Raises:
-        ImageError: a side is too short next to the other one, or for any camera.
-    """
+    """Refuse what is no picture of a field, before a camera is looked for in it. `ImageError` if a
+    side is too short next to the other one, or for any camera."""
     if not is_valid_size(width, height):
         raise ImageError(
             path, f"is {width} x {height} px, expected a picture of a field",

@@ -35,9 +35,8 @@ MAX_CANDIDATES = 8  # maxima looked at, the most convincing first
 _HALF_LENGTH_PX = 8.0  # a profile is averaged at most this far along the line
 _PROFILE_SPACING_PX = 1.0  # between the cuts that it is averaged of
 # Both ways; and one way only, since an element's ends lie where its line ends or meets another.
-_STRETCHES = np.column_stack(
-    ([2, 3, 5, 6, 8, 10, 11, 13, 14], [*range(8, 17)], [*range(9)])
-)  # of 17 cuts
+# Of 17 cuts.
+_STRETCHES = np.column_stack(([2, 3, 5, 6, 8, 10, 11, 13, 14], [*range(8, 17)], [*range(9)]))
 _STRETCH_WEIGHTS = np.array([1.0, 0.75, 0.75])  # a band that is seen on one side only counts less
 _BAR_LENGTH_FACTOR = 2.0  # bars are straight: what is behind them averages out
 _PROFILE_POSITIONS_PX = tuple(
@@ -221,7 +220,6 @@ def _matches_target(band: ProfileBand, sought: LineTarget) -> bool:
 def _profiles_with_band(
     band: ProfileBand, cuts: PixelArray, colour: Values, *, edge: bool
 ) -> list[int]:
-    """The cuts across that show a band."""
     middle = round(band.centre)
     columns = np.array([band.left, middle - 1, middle, middle + 1, band.right])
     weights = (_EDGE_STEP if edge else _BAND_STEP)[:, None] * colour

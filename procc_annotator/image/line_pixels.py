@@ -102,7 +102,6 @@ def _chromaticity(small: NDArray[Any]) -> tuple[Values, Values, Values]:
 
 
 def _is_alike(of: Sequence[Any], centre: Sequence[Any]) -> BoolArray:
-    """Return which chromaticities are about the same as one."""
     alike = np.hypot(of[0] - centre[0], of[1] - centre[1]) < _CHROMA_TOLERANCE
     return np.asarray(alike & (np.abs(of[2] - centre[2]) < _BRIGHTNESS_TOLERANCE))
 

@@ -178,7 +178,6 @@ class ProfileBand:
     """A band in a profile; indices are fractions of the profile's steps.
 
     Attributes:
-        centre: its middle.
         width_px: at half its height.
         left, right: where the ground next to it was taken.
         contrast: how much it stands out from the more similar of both grounds.

@@ -33,9 +33,8 @@ from procc_annotator.image.pixels import PixelArray
 SNAP_RADIUS_PX = 6.0
 
 _DIRECTIONS = 12  # 15 degrees apart
-_DIRECTION_OFFSETS = np.array(
-    [-1.6, -0.8, -0.4, 0.0, 0.4, 0.8, 1.6]
-)  # of the angle between two directions
+# Of the angle between two directions.
+_DIRECTION_OFFSETS = np.array([-1.6, -0.8, -0.4, 0.0, 0.4, 0.8, 1.6])
 _ANGLE_OFFSETS = np.radians([0.0, -5.0, 5.0])  # how a line may be turned against a given direction
 _CURVE_ANGLE_OFFSETS = np.radians([0.0, -6.0, 6.0, -12.0, 12.0])
 _BAR_ANGLE_OFFSETS = np.radians([0.0, -1.5, 1.5, -3.0, 3.0])

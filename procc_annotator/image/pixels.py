@@ -23,11 +23,8 @@ _PAGE_ALIGNMENT_BYTES = 4096  # a memory page: touching one byte reserves all of
 
 
 def require_decodable_size(path: Path, width: int, height: int) -> None:
-    """Refuse what would not fit into memory, before it is decoded.
-
-    Raises:
-        ImageError: more than `MAX_PIXELS`.
-    """
+    """Refuse what would not fit into memory, before it is decoded. `ImageError` for more than
+    `MAX_PIXELS`."""
     if width * height > MAX_PIXELS:
         raise ImageError(
             path,
@@ -56,11 +53,8 @@ def empty_bgra(width: int, height: int) -> PixelArray:
 
 
 def encode_png(pixels: PixelArray) -> bytes:
-    """A (H, W, 4) BGRA picture as a PNG file's content, without its alpha channel.
-
-    Raises:
-        ImageError: it cannot be encoded.
-    """
+    """A (H, W, 4) BGRA picture as a PNG file's content, without its alpha channel. `ImageError` if
+    it cannot be encoded."""
     done, data = cv2.imencode(".png", pixels[:, :, :3])
     if not done:
         raise ImageError("picture", "cannot be written as PNG")

@@ -37,11 +37,8 @@ class GroundRaster:
 
     @classmethod
     def of(cls, field: Field, px_per_m: float, margin_m: float = MARGIN_M) -> GroundRaster:
-        """The field with some ground around it.
-
-        Raises:
-            UsageError: the field has nothing on the ground.
-        """
+        """The field with some ground around it. `UsageError` if the field has nothing on the
+        ground."""
         area = field_rectangle(field)
         extents = (area.right - area.left, area.bottom - area.top)
         width, height = (max(1, round((e + 2 * margin_m) * px_per_m)) for e in extents)

@@ -39,7 +39,7 @@ class Video:
 
     def __init__(self, path: Path) -> None:
         """Decode the first frames, as `open` does."""
-        self._path = path
+        self.path = path
         self._first = probe_stream(path)
         self._lock = threading.RLock()
         self._index: PacketIndex | None = None
@@ -61,11 +61,6 @@ class Video:
 
     def __exit__(self, *failure: object) -> None:
         self.close()
-
-    @property
-    def path(self) -> Path:
-        """The file."""
-        return self._path
 
     @property
     def size(self) -> tuple[int, int]:
@@ -118,16 +113,13 @@ class Video:
 
     def frame(self, number: int) -> PixelArray:
         """A frame, counted from 0, as (H, W, 4) uint8 BGRA, C-contiguous, opaque and read-only.
-
-        Raises:
-            ImageError: there is no such frame, or it is damaged.
-        """
+        `ImageError` if there is no such frame, or it is damaged."""
         with self._lock:
             if self._closed:
                 raise self._error(number, "the video was closed")
             index = self.read_index()
             if self._reader is None:
-                self._reader = FrameReader(self._path, index)
+                self._reader = FrameReader(self.path, index)
             pixels = self._reader.frame(number) if 0 <= number < len(index.places) else None
             count = len(index.places)
         if not 0 <= number < count:
@@ -143,7 +135,7 @@ class Video:
         """Read the packets of the video now, so that nothing that needs them waits later."""
         with self._lock:
             if self._index is None:
-                self._index = read_packet_index(self._path, self._first.times)
+                self._index = read_packet_index(self.path, self._first.times)
             return self._index
 
     def release(self) -> None:
@@ -160,7 +152,7 @@ class Video:
             self.release()
 
     def _error(self, number: int, problem: str) -> ImageError:
-        return ImageError(self._path, problem, place=f"frame {number}")
+        return ImageError(self.path, problem, place=f"frame {number}")
 
 
 def open_shared_video(path: Path) -> Video:
@@ -202,10 +194,7 @@ def video_frame_of_path(path: Path) -> tuple[Path, int] | None:
 
 def frames_at_interval(video: Video, seconds: float) -> list[int]:
     """The first frame and then one every ``seconds``, each the first at or after its time.
-
-    Raises:
-        ValueError: ``seconds`` is not above zero.
-    """
+    `ValueError` if ``seconds`` is not above zero."""
     if not seconds > 0:
         raise ValueError(f"expected a time above zero, got {seconds}")
     times = video.times_s

@@ -93,11 +93,8 @@ def require_video_file(path: Path) -> None:
 
 
 def open_container(path: Path) -> tuple[InputContainer, VideoStream]:
-    """A container and its first video stream, before its first packet.
-
-    Raises:
-        ImageError: FFmpeg finds no video in it, or frames over `MAX_PIXELS`.
-    """
+    """A container and its first video stream, before its first packet. `ImageError` if FFmpeg finds
+    no video in it, or frames over `MAX_PIXELS`."""
     import av
 
     try:
@@ -258,11 +255,8 @@ class PacketIndex:
 
 
 def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
-    """Read all packets of a video, without decoding them.
-
-    Raises:
-        ImageError: it cannot be opened, or has no packets.
-    """
+    """Read all packets of a video, without decoding them. `ImageError` if it cannot be opened, or
+    has no packets."""
     container, stream = open_container(path)
     times, keys, lost, unread = list[int | None](), list[bool](), list[bool](), list[bool]()
     shown, end, skipped, last_s = list[int](), 0, False, 0.0
@@ -402,11 +396,7 @@ class FrameReader:
     """Decodes frames by number; for one thread at a time."""
 
     def __init__(self, path: Path, index: PacketIndex) -> None:
-        """Open the file.
-
-        Raises:
-            ImageError: as of `open_container`.
-        """
+        """Open the file. `ImageError` as of `open_container`."""
         self._path, self._index = path, index
         self._frames: dict[int, VideoFrame | None] = {}  # those that came out; None: not needed
         self._wanted = self._judged = self._next = self._oldest = 0
@@ -418,11 +408,8 @@ class FrameReader:
         self._container.close()
 
     def frame(self, number: int) -> PixelArray | None:
-        """(H, W, 4) BGRA; None if it is damaged.
-
-        Raises:
-            ImageError: the file cannot be opened any more.
-        """
+        """(H, W, 4) BGRA; None if it is damaged. `ImageError` if the file cannot be opened any
+        more."""
         index, is_backwards, self._wanted = self._index, number < self._wanted, number
         if index.is_damaged(number):
             return None

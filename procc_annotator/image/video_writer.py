@@ -68,11 +68,7 @@ class VideoWriter:
             self._container.mux(self._stream.encode(frame))
 
     def close(self) -> None:
-        """Finish the file.
-
-        Raises:
-            SaveError: writing failed.
-        """
+        """Finish the file. `SaveError` if writing fails."""
         with self._named_failures():
             if self._stream is not None:
                 self._container.mux(self._stream.encode(None))

@@ -172,7 +172,6 @@ class WireframePoint:
     """A place of a wireframe.
 
     Attributes:
-        name: the class it is on.
         world: metres.
         px: where the camera shows it.
         along: the direction of its line, metres; None for a place that can be distinguished from

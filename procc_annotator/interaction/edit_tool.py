@@ -58,7 +58,7 @@ class EditTool:
     _before: FrameAnnotation | None = None
     _together: frozenset[PointRef] = frozenset()
     _snapped: frozenset[PointKey] = frozenset()
-    _inserted: bool = False
+    inserting: bool = False  # the held point is a new one
     _moved: bool = False
     _refused: bool = False
 
@@ -67,11 +67,6 @@ class EditTool:
         """Return whether something is held or a band is drawn."""
         held = self.grabbed is not None or self._before is not None
         return held or self.band is not None
-
-    @property
-    def inserting(self) -> bool:
-        """Return whether the held point is a new one."""
-        return self._inserted
 
     @property
     def held(self) -> str:
@@ -127,7 +122,7 @@ class EditTool:
         base = editing.confirm(context.annotation, hit.class_name)
         edited = editing.insert_point(base, hit.class_name, hit.index + 1, point)
         taken = self._grab(hit, hit.index + 1, position, context, before=edited)
-        self._inserted = True
+        self.inserting = True
         return Reaction(preview=edited, select=taken.select)
 
     def _grab_element(self, hit: Hit, position: Position, context: ToolContext) -> Reaction:
@@ -203,7 +198,7 @@ class EditTool:
             return Reaction(explanation=_pinned_words(context.title(name)))
         edited = self._carried(position, modifiers, context) if self._moved else self._before
         label, snapped = self._label(context), self._snapped
-        changed, grabbed = self._inserted or self._moved, self.grabbed
+        changed, grabbed = self.inserting or self._moved, self.grabbed
         single = self._held == "points" and not self._moved
         self._let_go()
         if not changed:
@@ -216,7 +211,7 @@ class EditTool:
             return translatable_count(len(self._together), "move {n} point", "move {n} points")
         name = next(iter(self._together))[0] if self.grabbed is None else self.grabbed[0]
         title = context.title(name)
-        step = MOVE_ALL if self._held == "element" else INSERT if self._inserted else MOVE
+        step = MOVE_ALL if self._held == "element" else INSERT if self.inserting else MOVE
         return step_name(step, title)
 
     def _end_band(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
@@ -274,7 +269,7 @@ class EditTool:
 
     def _escape(self, context: ToolContext) -> Reaction:
         if self.busy:
-            inserted = self._inserted
+            inserted = self.inserting
             self._let_go()
             # The point that was selected with the gesture is gone again.
             select = Selection(context.selected_class) if inserted else None
@@ -326,7 +321,7 @@ class EditTool:
         from: it has come farther across that line than along it."""
         assert self._before is not None
         assert self.grabbed is not None
-        polyline = None if self._inserted else self._before.get(self.grabbed[0])
+        polyline = None if self.inserting else self._before.get(self.grabbed[0])
         if polyline is None:
             return False
         begin = points_px(polyline, context.picture_size)[self.grabbed[1]]
@@ -352,7 +347,7 @@ class EditTool:
     def _let_go(self) -> None:
         self.grabbed = self._found = self._before = self.band = None
         self._together, self._snapped = frozenset(), frozenset()
-        self._inserted = self._moved = self._refused = False
+        self.inserting = self._moved = self._refused = False
         self._held = "point"
 
 

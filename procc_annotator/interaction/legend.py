@@ -165,7 +165,6 @@ class OnPicture:
         statuses: of elements that a camera is held against; None without a camera.
         colour_by: what the colours of annotated elements say.
         origins: how points came to be.
-        authors: of the points.
         ghosts: whether ghosts are; "unsure" if their camera may be wrong.
         unconfirmed: whether copied elements wait.
         second: whether those of a second annotator are shown.

@@ -141,11 +141,8 @@ class SetAccumulator:
         self, name: str, measurement: Measurement | None, scores: Mapping[float, FrameScore]
     ) -> None:
         """Add an image that has a camera; the measurement, if given, is checked to be of this set's
-        protocol and size.
-
-        Raises:
-            UsageError: a threshold has no score, or the frame was measured differently.
-        """
+        protocol and size. `UsageError` if a threshold has no score, or the frame was measured
+        differently."""
         if measurement is not None and not _same_setup(self.setup, measurement.setup):
             raise UsageError(f"{name}: measured with {measurement.setup.describe()}")
         missing = [t for t in self.thresholds if t not in scores]

@@ -206,7 +206,6 @@ class AgreementReport:
     """The agreement of two or more annotators over a set.
 
     Attributes:
-        results: of all frames.
         floor: of every two annotators together.
         pairs: every two that share frames, by their places.
         others: of three or more, each against the consensus of the others; a place is missing where

@@ -106,11 +106,8 @@ class ComparisonReport:
 def compare_sources(
     comparison: ComparisonRun, progress: Progress = lambda items, _total, _what: iter(items)
 ) -> ComparisonReport:
-    """Compare every frame.
-
-    Raises:
-        UsageError: a source without ground, or no frame whose cameras can be read.
-    """
+    """Compare every frame. `UsageError` for a source without ground, or no frame whose cameras can
+    be read."""
     frames = list(progress(comparison, comparison.total, "comparing"))
     errors = [error for frame in frames for error in frame.errors]
     if all(frame.statistics is None for frame in frames):
@@ -136,11 +133,7 @@ def comparison_scene(
     names: tuple[str, str],
     pictures: Mapping[str, Path],
 ) -> ComparisonScene:
-    """The scene of a compared frame.
-
-    Raises:
-        InputError: a camera cannot be read.
-    """
+    """The scene of a compared frame. `InputError` if a camera cannot be read."""
     cameras = comparison.cameras(frame.name)
     return ComparisonScene(
         frame, pictures.get(frame.name), names, cameras,

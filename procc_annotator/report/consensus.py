@@ -56,11 +56,8 @@ def short_names(paths: Sequence[PurePath]) -> tuple[str, ...]:
 
 
 def write_consensus(agreed: AgreementReport, out: Path) -> None:
-    """Write the consensus of each frame to a folder or archive.
-
-    Raises:
-        SaveError: it cannot be written.
-    """
+    """Write the consensus of each frame to a folder or archive. `SaveError` if it cannot be
+    written."""
     with open_target(out) as target:
         for result in agreed.results:
             if result.consensus is not None:

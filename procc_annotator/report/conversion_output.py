@@ -235,7 +235,6 @@ def _write_game(
 
 
 def _is_one_file(out: Path, target: AnnotationFormat) -> bool:
-    """Return whether the output is the one file of a format that has one."""
     suffix = PurePath(target.one_file).suffix
     one_file = bool(target.one_file) and out.suffix == suffix
     if target.one_file and not one_file and out.suffix in (".json", ".xml") and not out.is_dir():

@@ -27,6 +27,7 @@ from procc_annotator.field.geometry import (
 from procc_annotator.field.load import default_field_name
 from procc_annotator.field.markings import marking_side
 from procc_annotator.field.model import MIDDLE_LINE, Element, Field
+from procc_annotator.report.page.chart_style import drawing_settings
 from procc_annotator.report.tables.table import (
     Column,
     Metric,
@@ -209,29 +210,14 @@ class FlatField:
 
 
 def check_picture_suffix(path: PurePath) -> None:
-    """Fail before the work.
-
-    Raises:
-        UsageError: it is no picture that can be written.
-    """
+    """Fail before the work. `UsageError` if it is no picture that can be written."""
     if path.suffix.lower() not in SUFFIXES:
         raise UsageError(f"{path}: expected a name that ends in {' or '.join(SUFFIXES)}")
 
 
 def field_picture(field: Field, flat: FlatField, suffix: str) -> bytes:
     """The picture of a field on a map as a file of its own, with one of `SUFFIXES`."""
-    import warnings
-
-    import matplotlib
-
-    # The settings of anyone who runs this must not change the picture.
-    settings: Any = {
-        key: value
-        for key, value in matplotlib.rcParamsDefault.items()
-        if not key.startswith("backend")
-    }
-    with warnings.catch_warnings(), matplotlib.rc_context(settings | _SETTINGS):
-        warnings.filterwarnings("ignore", message="Glyph")  # a script the font lacks
+    with drawing_settings(_SETTINGS):
         figure = _figure(field, flat)
         stream = io.BytesIO()
         kind = suffix.lower().removeprefix(".")

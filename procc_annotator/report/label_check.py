@@ -111,11 +111,7 @@ def check_set(
     wrong_field: bool = False,
 ) -> CheckReport:
     """Check a set and write what is at least as severe as ``least`` to .csv and .json files, each
-    replaced in one step.
-
-    Raises:
-        SaveError: writing failed.
-    """
+    replaced in one step. `SaveError` if writing fails."""
     report = CheckReport(wrong_field=wrong_field)
     for name, checked in run.together(progress(run, run.total, "checking")):
         if isinstance(checked, str):

@@ -128,11 +128,8 @@ class _Output(io.RawIOBase):
 
 @contextmanager
 def failure_tolerant_output(path: Path, unwritten: dict[Path, ProccError]) -> Iterator[IO[bytes]]:
-    """A file as of `replacing`; that it cannot be written must not stop the work.
-
-    Raises:
-        SaveError: it cannot even be begun.
-    """
+    """A file as of `replacing`; that it cannot be written must not stop the work. `SaveError` if it
+    cannot even be begun."""
     output: _Output | None = None
     try:
         with open_replacing(path) as stream:

@@ -112,11 +112,8 @@ def check_pixels(width: int, height: int) -> None:
 
 
 def pixels_of(scene: Scene) -> PixelArray:
-    """The picture, or plain ground of the evaluation's size for a frame without one.
-
-    Raises:
-        ImageError: the picture cannot be decoded.
-    """
+    """The picture, or plain ground of the evaluation's size for a frame without one. `ImageError`
+    if the picture cannot be decoded."""
     if scene.image_path is not None:
         return decode_bgra(scene.image_path)
     width, height = scene.setup.size

@@ -54,7 +54,7 @@ def export_provenance(
         exported.annotations += 1
         origins = {}
         if database is not None:
-            origins = database.read_origins(frame.name, complete=True)
+            origins = database.read_origins(frame.name)
             commit = read_commit(database.setting(setting_of(frame.name)))
             if commit is not None:
                 blind[frame.name] = [commit.work(annotation).value, commit.author, commit.time]

@@ -79,10 +79,7 @@ class AgainstReference:
 
     def write(self, run: AgreementRun, described: str, output: Path) -> None:
         """Write all tables to a ``.json``, or a row a frame and annotator to a ``.csv``.
-
-        Raises:
-            SaveError: it cannot be written.
-        """
+        `SaveError` if it cannot be written."""
         jacs = (Column(f"jac_{t:g}", f"JaC @{t:g}", "number", metrics.JAC) for t in run.thresholds)
         columns = (
             Column("annotator", "annotator"),

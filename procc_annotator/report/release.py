@@ -382,11 +382,8 @@ def _files_of_release(folder: Path) -> set[str]:
 
 
 def changes_since(before: Path, release: Release) -> Changes:
-    """Compare a release with a previous one.
-
-    Raises:
-        InputError: the previous one is no release, or cannot be read.
-    """
+    """Compare a release with a previous one. `InputError` if the previous one is no release, or
+    cannot be read."""
     known = _read_release(before)
     then = FrameTable(known.frames)
     now = FrameTable((frame.name, frame) for frame in release.frames)

@@ -146,11 +146,8 @@ def measure_over_time(
     progress: Callable[[int, int], None] = lambda _done, _total: None,
 ) -> TemporalMetrics:
     """Measure a source over the shots of a set; ``known``: the shots, what says so, and pictures by
-    frame; the threshold, px, is that of JaC.
-
-    Raises:
-        UsageError: frames that do not follow each other.
-    """
+    frame; the threshold, px, is that of JaC. `UsageError` for frames that do not follow each
+    other."""
     shots, told_by, pictures = known
     run = OverTimeRun(
         shots, one.annotations, one.cameras, one.setup, threshold,
@@ -241,10 +238,7 @@ def breaks_table(found: Sequence[TemporalMetrics], *, shown: bool = False) -> Me
 
 def over_time_bytes(found: Sequence[TemporalMetrics], path: Path) -> bytes:
     """A file of figures over time: as JSON all of them, as CSV a row a source and frame.
-
-    Raises:
-        UsageError: another suffix.
-    """
+    `UsageError` for another suffix."""
     if score_format(path) == "json":
         return json_bytes(over_time_entries(found))
     return csv_bytes(frames_over_time_table(found))

@@ -90,7 +90,7 @@ def overview_rows(
         classes = {p.class_name: len(p.points) for p in annotation.polylines if p.points}
         origins: Mapping[PointKey, Origin] = {}
         if database is not None and classes:
-            origins = database.read_origins(frame.name, complete=True)
+            origins = database.read_origins(frame.name)
         record = database.record(frame.name) if database is not None else None
         rows.append(
             OverviewRow(

@@ -328,7 +328,6 @@ def _unknown_class_finding(name: str, annotation: FrameAnnotation, field: Field)
 
 
 def _most_similar_class(name: str, field: Field) -> str | None:
-    """The class whose name or title is most alike; None if none is."""
     names = [*(e.name for e in field.elements), *field.classes_without_geometry]
     spellings = {e.title.casefold(): e.name for e in field.elements}
     spellings |= {known.strip().casefold(): known for known in names}

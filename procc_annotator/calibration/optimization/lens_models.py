@@ -339,7 +339,6 @@ def _radial_vector_from(vector: FloatArray, half_diagonal: float) -> FloatArray:
 
 
 def _has_bent_lines(seen: Observations) -> bool:
-    """Return whether several straight elements are bent."""
     bent = 0
     for row, element in enumerate(seen.elements):
         points = seen.points[:, seen.element_of_point == row]

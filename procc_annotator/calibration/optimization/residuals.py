@@ -130,9 +130,8 @@ def homography_derivatives(
 def _correction_derivatives(
     basis: FloatArray, world: FloatArray, pixels: FloatArray, depth: FloatArray
 ) -> FloatArray:
-    plain = (
-        _NORMALISATION @ (basis @ _homogeneous_ground(world)) / depth[:, None]
-    )  # before the correction
+    # Before the correction.
+    plain = _NORMALISATION @ (basis @ _homogeneous_ground(world)) / depth[:, None]
     found = np.zeros((len(world), 9, 2, world.shape[2]))
     for column in range(3):
         found[:, column, 0] = found[:, 3 + column, 1] = plain[:, column] * _NORMAL_PX
@@ -207,9 +206,8 @@ def project_out_tangent(
 # What a click is off by where the points cannot say, and how many residuals that belief is worth.
 PRIOR_CLICK_SD_PX = 1.5
 _CLICK_SD_PRIOR_WEIGHT = 10.0
-MAX_NOISE_RESIDUAL_PX = (
-    3 * PRIOR_CLICK_SD_PX
-)  # more is a mistake, and says nothing of what clicks are usually off
+# More is a mistake, and says nothing of what clicks are usually off.
+MAX_NOISE_RESIDUAL_PX = 3 * PRIOR_CLICK_SD_PX
 
 
 def estimate_click_sd(components: FloatArray, parameters: int) -> float:

@@ -358,7 +358,6 @@ def _batch_key(request: SolveRequest) -> tuple[object, ...] | None:
 
 
 def _solve_batch(requests: Sequence[SolveRequest]) -> list[Solution]:
-    """Minimise requests of one kind from all of their starts."""
     problems = [one.problem for one in requests]
     counts = np.array([len(one.starts) for one in requests])
     sizes = BatchSizes.of([_observations_of(problem) for problem in problems])

@@ -108,7 +108,6 @@ class BestCandidate:
 
     Attributes:
         other: (11,) the best of those that show something else; None without any.
-        other_score: its.
         support: share of the search's last starts that ended at it, 0 to 1.
     """
 
@@ -243,11 +242,9 @@ def refine_candidates(
     field: Field,
     scene: SearchScene,
     found: RankedCameras,
-    other_than: FloatArray | None = None,
 ) -> BestCandidate | None:
     """The best of some cameras, of the first ones those refined that come near the best; None if
-    there is paint next to none. A camera ``other_than`` (11,) does not count, nor do those that
-    show the same."""
+    there is paint next to none."""
     tried: list[LineAlignment] = []
     kept: list[tuple[FloatArray, float]] = []
     for vector, score in zip(found.vectors[:_REFINED_COUNT], found.scores, strict=False):
@@ -259,13 +256,8 @@ def refine_candidates(
         refined = align_with_lines(
             picture, field, vector, belief=belief, reaches_px=_SEARCH_RADII_PX
         )
-        if refined.fit.vector is None or (
-            other_than is not None
-            and _distance_px(other_than, refined.fit.vector[None], scene, field)[0]
-            <= _DISTINCT_CAMERA_PX
-        ):
-            continue
-        tried.append(refined)
+        if refined.fit.vector is not None:
+            tried.append(refined)
     if not tried:
         return None
     candidates = _rank_candidates(scene, tried)
@@ -309,7 +301,6 @@ def _rank_candidates(scene: SearchScene, tried: Sequence[LineAlignment]) -> list
 
 
 def _prior_mean(prior: GaussianPrior) -> FloatArray:
-    """(11,) its mean."""
     return np.concatenate([prior.mean[0], np.zeros(len(PARAMETERS) - prior.mean.shape[1])])
 
 

@@ -42,7 +42,6 @@ class TrackedRun:
     Attributes:
         asked: numbers that were to be followed.
         numbers: of those that were.
-        steps: of each.
         cut: whether another camera's picture ended it.
     """
 

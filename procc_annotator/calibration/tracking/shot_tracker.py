@@ -381,9 +381,8 @@ class _ShotTracker:
                 if moving is not None and _missing_share(moving, asked) < most:
                     found = moving
         chain = found.chain
-        if self._skipped_frames(
-            chain, given
-        ):  # all together they are worse where the camera is known
+        # All together they are worse where the camera is known.
+        if self._skipped_frames(chain, given):
             chain = build_chain(runs, given)
         left = self._skipped_frames(chain, given)
         missed = self._missed_anchors(chain)

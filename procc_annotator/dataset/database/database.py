@@ -126,17 +126,14 @@ class WorkspaceDatabase(MetadataCache):
             known = self._origins[frame] = read | self._put.get(frame, {})
         return dict(known)
 
-    def read_origins(self, frame: str, *, complete: bool = False) -> dict[PointKey, Origin]:
+    def read_origins(self, frame: str) -> dict[PointKey, Origin]:
         """As `origins`, safe from any thread: read from the file each time, and nothing is kept.
-        `InputError` if not all that is to be ``complete`` can be read, as once another dataset was
-        opened."""
+        `InputError` if not all can be read, as once another dataset was opened."""
         try:
             read = self._answer(self._ask_origins(frame))
         except UnavailableError as error:
-            if complete:
-                why = f"the origins of the points of frame {frame} cannot be read ({error})"
-                raise InputError(self._shown, why) from error
-            read = {}
+            why = f"the origins of the points of frame {frame} cannot be read ({error})"
+            raise InputError(self._shown, why) from error
         # Examined last: what is put there meanwhile may be missing from what was read.
         return read | self._put.get(frame, {})
 

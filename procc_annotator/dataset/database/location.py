@@ -41,9 +41,8 @@ from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.regular_file import open_regular
 from procc_annotator.resources import data_folder
 
-Fingerprint = dict[
-    str, str
-]  # path of a picture below the folder, with slashes -> its size and a checksum of some of it
+# Path of a picture below the folder, with slashes -> its size and a checksum of some of it.
+Fingerprint = dict[str, str]
 
 _SUFFIXES = frozenset(PICTURE_SUFFIXES) | frozenset(VIDEO_SUFFIXES)
 _BYTES = 4096  # looked at in the middle of a picture
@@ -178,9 +177,8 @@ def open_or_fallback(dataset: Path) -> tuple[Path | None, OpenedDatabase, tuple[
         else:
             notices[-1] += f"; statuses and comments are kept in {own}"
             write_fingerprint(_mark_path(own), fingerprint_of(folder))
-            if (
-                opened.fresh and path.exists() and not lies_outside(path)
-            ):  # it can be read, at least
+            # It can be read, at least.
+            if opened.fresh and path.exists() and not lies_outside(path):
                 with suppress(*FAILURES):
                     copy_readable_file(path, opened.connection)
                     opened = reread(opened)
@@ -191,11 +189,8 @@ def open_or_fallback(dataset: Path) -> tuple[Path | None, OpenedDatabase, tuple[
 
 def read_settings(dataset: Path) -> tuple[dict[str, str], str]:
     """The settings of a dataset (its folder, or a picture in it), by key, and a notice if the
-    database is lost; empty if all is well. Nothing is made, written or fixed.
-
-    Raises:
-        InputError: there is a workspace, but it cannot be read.
-    """
+    database is lost; empty if all is well. Nothing is made, written or fixed. `InputError` if there
+    is a workspace, but it cannot be read."""
     start = SETTING_KEY
     meta, notice = _read_meta(dataset)
     found = {k.removeprefix(start): v for k, v in meta.items() if k.startswith(start) and v}

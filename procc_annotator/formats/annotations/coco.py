@@ -91,7 +91,6 @@ class _Kind:
 
     Attributes:
         is_new: whether the category is no class, and no map says what it stands for.
-        count: of its keypoints.
     """
 
     name: Any
@@ -206,10 +205,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     entries: list[dict[str, Any]] = []
     ids = {e.name: i for i, e in enumerate(writing.field.elements, start=1)}
     longest: dict[str, int] = dict.fromkeys(ids, 1)
-    for frame in frames:
-        size = writing.named_size(frame)
-        if size is None:
-            continue
+    for frame, size in writing.sized(frames):
         writing.lose_point_keys(frame, _TITLE)
         polylines = frame.annotation.polylines
         if not polylines:

@@ -98,10 +98,7 @@ def write_images(frames: Iterable[ExchangedFrame], writing: WriteContext) -> Non
     """``annotations.xml`` for the server, and ``labels.json`` for the labels of a new task."""
     images: list[str] = []
     kinds: dict[str, str] = {}
-    for frame in frames:
-        size = writing.named_size(frame)
-        if size is None:
-            continue
+    for frame, size in writing.sized(frames):
         polylines = _spellable(frame, writing)
         images.append(_image(frame, polylines, size, len(images), kinds, writing))
         writing.count(polylines)
@@ -221,7 +218,7 @@ def _picture(number: int, root: Element, path: str, reading: ReadContext) -> str
 
 def write_tracks(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """``annotations.xml`` for the server, and ``labels.json`` for the labels of a new task."""
-    kept = [frame for frame in frames if writing.named_size(frame) is not None]
+    kept = [frame for frame, _ in writing.sized(frames)]
     video, numbers = _numbered(kept, writing)
     size = kept[0].size if kept else None
     tracks: dict[tuple[str, str], dict[int, Polyline]] = {}

@@ -38,11 +38,8 @@ _UNSPELLABLE = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff
 
 
 def parse(data: bytes, path: str) -> Element:
-    """The root of a file, entities and document types refused.
-
-    Raises:
-        AnnotationError: it is no file of CVAT.
-    """
+    """The root of a file, entities and document types refused. `AnnotationError` if it is no file
+    of CVAT."""
     root = parse_xml(data, path, AnnotationError, "export it again from CVAT")
     if root.tag != "annotations":
         raise AnnotationError(

@@ -90,7 +90,6 @@ class ExchangedFrame:
     Attributes:
         name: the frame's name: the stem of its own file, or of its picture in formats that keep
             many frames in one file.
-        annotation: what is annotated in it.
         size: (width, height) of the picture in px; None if no one knows.
         picture: file name of the picture; None if no one knows.
     """
@@ -195,11 +194,7 @@ class ReadContext:
 
     def frame_of_picture(self, picture: Any, path: str, place: str) -> str:
         """The frame that a picture's name in the file belongs to; whatever goes wrong next is
-        reported of it.
-
-        Raises:
-            AnnotationError: it is no text, or cannot be the name of a frame.
-        """
+        reported of it. `AnnotationError` if it is no text, or cannot be the name of a frame."""
         names = self._pictures or PictureFrames(())
         self.at = names.frame(picture, path, place)
         return self.at
@@ -308,15 +303,15 @@ class WriteContext:
         )
         return None
 
-    def named_size(self, frame: ExchangedFrame) -> Size | None:
-        """The same for a format with the frame's name in its text, which must be able to spell
-        it."""
-        if is_unicode(frame.name):
-            return self.size(frame)
-        self.problems.append(
-            f"{printable(frame.name)}: not written: its name is no valid Unicode (rename the file)"
-        )
-        return None
+    def sized(self, frames: Iterable[ExchangedFrame]) -> Iterator[tuple[ExchangedFrame, Size]]:
+        """Frames with their sizes, for a format with the frame's name in its text, which must be
+        able to spell it; the others are problems."""
+        for frame in frames:
+            if not is_unicode(frame.name):
+                why = "its name is no valid Unicode (rename the file)"
+                self.problems.append(f"{printable(frame.name)}: not written: {why}")
+            elif (size := self.size(frame)) is not None:
+                yield frame, size
 
     def only_one(self, frame: ExchangedFrame, pictures: Sequence[str]) -> bool:
         """Return whether an existing file has one picture of a frame's name at most.
@@ -392,11 +387,7 @@ def size_from_file(width: Any, height: Any, path: str, place: str) -> Size | Non
 
 
 def require_objects(content: Any, keys: Sequence[str], path: str, kind: str) -> dict[str, Any]:
-    """A decoded file with lists of objects under some keys.
-
-    Raises:
-        AnnotationError: they are not.
-    """
+    """A decoded file with lists of objects under some keys. `AnnotationError` if they are not."""
     for key in keys:
         entries = content.get(key) if type(content) is dict else None
         if type(entries) is not list:

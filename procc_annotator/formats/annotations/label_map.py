@@ -30,9 +30,7 @@ class KeypointTemplate:
 
     Attributes:
         name: in a file of labels.
-        title: for people.
         field: the field it is of, for people.
-        count: of its keypoints.
         names: what they are called, list by list, in their order.
         elements: class -> its keypoints from 0, in their order along it.
     """
@@ -168,7 +166,6 @@ class LabelMap:
     """Which classes the labels of another program stand for.
 
     Attributes:
-        path: of its file.
         rules: label -> its class, None where it is left out, classes by their order, or a template
             of keypoints.
     """
@@ -327,8 +324,6 @@ class WrittenRule:
     """A line of the file.
 
     Attributes:
-        label: as in the annotations.
-        rule: what it stands for.
         comment: above it; may be empty.
         used: otherwise the line is one to fill in: it stands there as a comment.
     """

@@ -316,11 +316,7 @@ def _runs(points: Any) -> list[list[Any]]:
 
 def decode_lines(data: bytes, path: str, note: Callable[[InputError], None]) -> Any:
     """Decoded JSON; a list of the lines of a file with one value a line, damaged ones noted; VIA's
-    CSV as its JSON.
-
-    Raises:
-        AnnotationError: damaged.
-    """
+    CSV as its JSON. `AnnotationError` if it is damaged."""
     text = data.lstrip(_BLANK)
     if is_via_table(data):
         return _via_csv(text, path)

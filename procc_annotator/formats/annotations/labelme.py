@@ -83,10 +83,7 @@ def _add_shape(pieces: ShapeCollector, shape: Any, place: str) -> None:
 
 def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
     """One file a frame, to be put next to the pictures."""
-    for frame in frames:
-        size = writing.named_size(frame)
-        if size is None:
-            continue
+    for frame, size in writing.sized(frames):
         polylines = writing.without_empty(frame, _TITLE, keeps_extra=True)
         shapes: list[dict[str, Any]] = [
             {

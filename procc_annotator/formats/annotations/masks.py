@@ -30,21 +30,13 @@ _Mask = NDArray[np.uint8]
 
 
 def check_line_width(width: float) -> None:
-    """Fail before the work.
-
-    Raises:
-        UsageError: a line of this width cannot be drawn.
-    """
+    """Fail before the work. `UsageError` if a line of this width cannot be drawn."""
     if not 1 <= width <= WIDEST:
         raise UsageError(f"a line width is 1 to {WIDEST:g} px, not {width:g}")
 
 
 def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
-    """One mask a frame and the legend.
-
-    Raises:
-        UsageError: a line width that cannot be drawn.
-    """
+    """One mask a frame and the legend. `UsageError` for a line width that cannot be drawn."""
     check_line_width(writing.line_width)
     values = {e.name: i for i, e in enumerate(writing.field.elements, start=1)}
     for name in writing.field.classes_without_geometry:

@@ -58,12 +58,10 @@ class AnnotationFormat:
 
     Attributes:
         name: on the command line.
-        title: shown to people.
         one_file: name of the only file of a set; empty where every frame has its own.
         in_pixels: whether the size of the pictures is needed.
         holds: what survives, in words (points always survive to the last digit).
         loses: what does not.
-        write: writes a set.
         read: reads a set; None for formats that are only written.
         sniff_json: whether decoded JSON is of this format.
         sniff: whether bytes are.
@@ -173,11 +171,7 @@ NAMES: tuple[str, ...] = tuple(f.name for f in FORMATS)
 
 
 def format_named(name: str) -> AnnotationFormat:
-    """A format by its name.
-
-    Raises:
-        UsageError: no such format.
-    """
+    """A format by its name. `UsageError` if there is none."""
     for known in FORMATS:
         if known.name == name:
             return known
@@ -213,11 +207,7 @@ def find_annotations(source: FileSource, fmt: str = "auto") -> tuple[AnnotationF
 
 def read_plain(data: bytes, path: str, field: Field) -> FrameAnnotation:
     """A frame's annotation of this program, as of `read_annotation`; what is one of another format
-    is reported so.
-
-    Raises:
-        AnnotationError: it cannot be used.
-    """
+    is reported so. `AnnotationError` if it cannot be used."""
     try:
         return read_annotation(data, path=path, field=field)
     except AnnotationError as error:
@@ -336,7 +326,6 @@ class ReadSet:
     """Content that was read.
 
     Attributes:
-        title: of the format.
         frames: name -> what is annotated in it, with the size of its picture if anyone knows it.
         problems: one line for each frame or file that could not be used.
         unread: of those problems the ones of a frame or file, by its name.
@@ -358,8 +347,6 @@ class SetReader:
     """One pass over a source of annotations; what went wrong is known when it is over.
 
     Attributes:
-        format: what the files are.
-        files: their names in the source.
         reading: what was noted on the way.
     """
 

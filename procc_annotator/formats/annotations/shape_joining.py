@@ -38,9 +38,6 @@ class ShapeCollector:
     """The shapes of one frame as they come, in the order of the file.
 
     Attributes:
-        path: of the file.
-        frame: its name.
-        reading: what the reader was given.
         size: of the frame's picture, px; the usual one if unknown.
     """
 
@@ -92,11 +89,7 @@ class ShapeCollector:
         return True
 
     def course(self, pairs: Sequence[Any], place: str) -> Points:
-        """The points of pairs [x, y].
-
-        Raises:
-            AnnotationError: they are none.
-        """
+        """The points of pairs [x, y]. `AnnotationError` if they are none."""
         found = []
         for i, pair in enumerate(pairs):
             at = f"{place}[{i}]"
@@ -106,11 +99,7 @@ class ShapeCollector:
         return tuple(found)
 
     def add(self, label: Any, points: Points, place: str) -> None:
-        """One more shape.
-
-        Raises:
-            AnnotationError: the label cannot be a class.
-        """
+        """One more shape. `AnnotationError` if the label cannot be a class."""
         if type(label) is not str or label == CAMERA_KEY:
             found = json_kind(label) if type(label) is not str else repr(label)
             raise self.error(
@@ -189,10 +178,7 @@ def labels_for(polylines: tuple[Polyline, ...], field: Field) -> list[str]:
 
 def extra_of(value: Any, path: str, place: str, field: Field) -> tuple[tuple[str, Any], ...]:
     """Further entries of an annotation, kept under a key of their own in foreign files.
-
-    Raises:
-        AnnotationError: no object, or an entry that an annotation file would take for a class.
-    """
+    `AnnotationError` for no object, or an entry that an annotation file would take for a class."""
     if value is None:
         return ()
     wrong = None if type(value) is dict else json_kind(value)

@@ -185,11 +185,7 @@ def _point(value: Any, path: str, place: str) -> Point:
 
 
 def point_object(point: Point) -> dict[str, Any]:
-    """A point as an object of a file.
-
-    Raises:
-        ValueError: a coordinate is not finite.
-    """
+    """A point as an object of a file. `ValueError` if a coordinate is not finite."""
     if not (math.isfinite(point.u) and math.isfinite(point.v)):
         raise ValueError(f"a point is not finite: {point}")
     return {"x": point.u, "y": point.v, **dict(point.extra)}

@@ -57,11 +57,8 @@ def frames_of(
 
 
 def decode_existing(data: bytes, path: str) -> dict[str, Any]:
-    """The content of a file, with its lists of images and annotations checked.
-
-    Raises:
-        AnnotationError: it is of another kind.
-    """
+    """The content of a file, with its lists of images and annotations checked. `AnnotationError` if
+    it is of another kind."""
     content = decode_strict(data, path=path, error=AnnotationError)
     content = require_objects(content, ("images", "annotations"), path, FILE_NAME)
     for key in ("images", "annotations"):

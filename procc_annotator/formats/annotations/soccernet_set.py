@@ -71,11 +71,8 @@ def has_soccernet_classes(field: Field) -> bool:
 
 
 def require_soccernet(field: Field, title: str) -> None:
-    """Refuse a field that a format of SoccerNet's own has no words for.
-
-    Raises:
-        UsageError: it is another sport's.
-    """
+    """Refuse a field that a format of SoccerNet's own has no words for. `UsageError` if it is
+    another sport's."""
     if not has_soccernet_classes(field):
         raise UsageError(
             f"{title} is for the classes of SoccerNet, the field is {field.title};"

@@ -163,11 +163,7 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
 
 
 def decode_existing(data: bytes, path: str) -> dict[str, Any]:
-    """A file that keeps its other content.
-
-    Raises:
-        AnnotationError: it is of another kind.
-    """
+    """A file that keeps its other content. `AnnotationError` if it is of another kind."""
     content = _decode(data, path)
     for picture, entry, place in _entries(content, path):
         frame_of_picture(picture, path, place)

@@ -275,11 +275,8 @@ def is_array_file(data: bytes) -> bool:
 
 
 def array_content(data: bytes, path: str) -> dict[str, Any]:
-    """The arrays of an ``.npz`` or a MATLAB file by name, as nested lists.
-
-    Raises:
-        CameraError: damaged, or of a kind that is not read.
-    """
+    """The arrays of an ``.npz`` or a MATLAB file by name, as nested lists. `CameraError` if it is
+    damaged, or of a kind that is not read."""
     if data.startswith(_NPZ_MAGIC):
         return _npz(data, path)
     if data.startswith(MAGIC):

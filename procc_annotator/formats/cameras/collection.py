@@ -57,7 +57,6 @@ class CameraCollection:
     A file of many cameras is decoded once, when it is listed.
 
     Attributes:
-        path: where they are.
         format: one of `CAMERA_FORMATS`, or of a plug-in.
         frames: frame name -> the file its camera is in.
         remarks: about the collection, that a person should see.
@@ -131,11 +130,8 @@ class CameraCollection:
         return (*self.remarks, *said[:_SHOWN], *more)
 
     def read(self, frame: str, field: Field | None = None) -> LoadedCamera:
-        """The camera of a frame of `frames`.
-
-        Raises:
-            CameraError: the file is damaged or gone, or would be taken for one of another field.
-        """
+        """The camera of a frame of `frames`. `CameraError` if the file is damaged or gone, or would
+        be taken for one of another field."""
         file = self.frames[frame]
         own = self.frames.name_there(frame) or frame
         if file in self._records:
@@ -190,7 +186,6 @@ class CameraCollection:
         return top if top.issuperset(self.frames.values()) else frozenset(self._source.tree())
 
     def _read_beside(self, file: str) -> bytes | None:
-        """The content of a file of the source; None if there is no readable one."""
         try:
             return self._source.read(file) if file in self._all_files else None
         except InputError:  # gone, or damaged: it says nothing

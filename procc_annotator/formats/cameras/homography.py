@@ -159,11 +159,8 @@ def _looks_like(units_from_image: FloatArray, size: tuple[int, int]) -> str:
 
 
 def numbers_of_text(data: bytes, path: str) -> list[float]:
-    """The numbers of a text, separated by white space or commas; # begins a comment.
-
-    Raises:
-        CameraError: no text, or something else than finite numbers.
-    """
+    """The numbers of a text, separated by white space or commas; # begins a comment. `CameraError`
+    for no text, or something else than finite numbers."""
     text = utf8_text(data, path)
     numbers: list[float] = []
     for line_number, line in enumerate(text.splitlines(), 1):
@@ -203,7 +200,7 @@ def _matrices(data: bytes, path: str) -> FloatArray:
     return matrices
 
 
-def _finite(matrix: FloatArray, path: str, inside: str = "") -> FloatArray:
+def _finite(matrix: FloatArray, path: str, inside: str) -> FloatArray:
     if len(bad := np.argwhere(~np.isfinite(np.atleast_2d(matrix)))):
         place = f"row {bad[0][-2] + 1} column {bad[0][-1] + 1}"
         problem = f"expected a finite number, found {np.atleast_2d(matrix)[tuple(bad[0])]}"
@@ -227,11 +224,8 @@ def _assumed(data: bytes, path: str) -> str:
 
 
 def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
-    """The camera of a matrix in a file that no one named the format of.
-
-    Raises:
-        CameraError: no matrix of a camera.
-    """
+    """The camera of a matrix in a file that no one named the format of. `CameraError` for no matrix
+    of a camera."""
     matrix = _matrices(data, path)
     if matrix.shape not in _SHAPES.values():
         raise _wrong_shape(matrix, path)
@@ -240,11 +234,7 @@ def read_matrix_file(data: bytes, *, path: str) -> LoadedCamera:
 
 def matrix_records(data: bytes, *, path: str) -> CameraRecords | None:
     """The cameras of an ``.npy`` with a matrix a frame, or of text with one a line; None for a file
-    of one.
-
-    Raises:
-        CameraError: damaged.
-    """
+    of one. `CameraError` if it is damaged."""
     matrices = _matrices(data, path)
     if matrices.ndim != 3 or matrices.shape[1:] not in _SHAPES.values():
         return None
@@ -265,7 +255,7 @@ def _of_matrix(
     )
 
 
-def _of_projection(matrix: FloatArray, path: str, inside: str = "") -> LoadedCamera:
+def _of_projection(matrix: FloatArray, path: str, inside: str) -> LoadedCamera:
     """The camera of (3, 4), or of (4, 4) with a last row that counts for nothing; CameraError for
     no camera, or a pose alone."""
     left = matrix[:3, :3]

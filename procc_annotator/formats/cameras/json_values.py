@@ -38,7 +38,6 @@ class JsonValues:
     """An object of a camera file.
 
     Args:
-        content: the decoded object.
         path: the file, for messages.
         inside: where in the file the object stands; empty for all of it.
         kind: what it should be (``a SoccerNet camera``).
@@ -60,11 +59,7 @@ class JsonValues:
         kind: str = "a camera",
         nested: bool = False,
     ) -> JsonValues:
-        """The object that a decoded value is.
-
-        Raises:
-            CameraError: it is no object.
-        """
+        """The object that a decoded value is. `CameraError` if it is no object."""
         if type(value) is not dict:
             raise CameraError(
                 path,
@@ -75,11 +70,7 @@ class JsonValues:
         return cls(value, path, inside, kind, nested)
 
     def part(self, key: str, index: int | None = None) -> JsonValues:
-        """The object under a key, or in the list under it.
-
-        Raises:
-            CameraError: there is none.
-        """
+        """The object under a key, or in the list under it. `CameraError` if there is none."""
         value = self.content.get(key)
         place = f"{self.inside}.{key}" if self.inside else key
         if index is not None:
@@ -118,11 +109,7 @@ class JsonValues:
         )
 
     def number(self, key: str) -> float:
-        """A finite number.
-
-        Raises:
-            CameraError: the key is missing or holds something else.
-        """
+        """A finite number. `CameraError` if the key is missing or holds something else."""
         if key not in self.content:
             raise self.missing("a number", key)
         return self.finite(self.bare(self.content[key]), key)
@@ -132,22 +119,15 @@ class JsonValues:
         return tuple([math.radians(self.number(key)) for key in keys])
 
     def focal(self, key: str) -> float:
-        """A number of pixels that is not zero.
-
-        Raises:
-            CameraError: as `number`, or 0.
-        """
+        """A number of pixels that is not zero. `CameraError` as `number`, or 0."""
         value = self.number(key)
         if value == 0:
             raise self.error("expected a focal length in pixels, found 0", key)
         return value
 
     def vector(self, key: str, length: int, advice: str = _CORRECT) -> tuple[float, ...]:
-        """A list of a known number of finite numbers.
-
-        Raises:
-            CameraError: the key is missing or holds something else.
-        """
+        """A list of a known number of finite numbers. `CameraError` if the key is missing or holds
+        something else."""
         if key not in self.content:
             raise self.missing(f"{length} numbers", key)
         value = self.bare(self.content[key], length)
@@ -157,11 +137,8 @@ class JsonValues:
         return tuple([self.finite(number, f"{key}[{i}]") for i, number in enumerate(value)])
 
     def numbers(self, key: str) -> tuple[float, ...]:
-        """All finite numbers of a list, or of a list of lists, row by row.
-
-        Raises:
-            CameraError: the key holds something else.
-        """
+        """All finite numbers of a list, or of a list of lists, row by row. `CameraError` if the key
+        holds something else."""
         value = self.content.get(key)
         if type(value) is not list:
             raise self.error(f"expected a list of numbers, found {json_kind(value)}", key)
@@ -174,11 +151,8 @@ class JsonValues:
         return tuple(flat)
 
     def matrix(self, key: str, rows: int, columns: int) -> FloatArray:
-        """A matrix, as a list of rows or of all its numbers row by row.
-
-        Raises:
-            CameraError: the key is missing or holds something else.
-        """
+        """A matrix, as a list of rows or of all its numbers row by row. `CameraError` if the key is
+        missing or holds something else."""
         if key not in self.content:
             raise self.missing(f"{rows} x {columns} numbers", key)
         flat = self.numbers(key)
@@ -200,19 +174,12 @@ class JsonValues:
         return (f"not used, though it looks like lens, pose or size: {named}",) if left else ()
 
     def size(self) -> tuple[int, int] | None:
-        """(width, height) px where the object gives it.
-
-        Raises:
-            CameraError: it is no picture size.
-        """
+        """(width, height) px where the object gives it. `CameraError` if it is no picture size."""
         return self.size_under(*SIZE_KEYS)
 
     def size_under(self, *spellings: tuple[str, str]) -> tuple[int, int] | None:
-        """(width, height) px under the first pair of keys that is there.
-
-        Raises:
-            CameraError: it is no picture size, or only one of a pair is there.
-        """
+        """(width, height) px under the first pair of keys that is there. `CameraError` if it is no
+        picture size, or only one of a pair is there."""
         for keys in spellings:
             if all(key in self.content for key in keys):
                 return self.size_of(*keys)
@@ -227,11 +194,8 @@ class JsonValues:
         return None
 
     def size_of(self, *keys: str) -> tuple[int, int]:
-        """(width, height) px under two keys that are there.
-
-        Raises:
-            CameraError: it is no picture size.
-        """
+        """(width, height) px under two keys that are there. `CameraError` if it is no picture
+        size."""
         width, height = (self.bare(self.content[key]) for key in keys)
         # A larger picture does not exist; scaling by it would leave a camera of nothing.
         if all(is_finite_number(n) and n == int(n) and 2 <= n <= _WIDEST for n in (width, height)):

@@ -115,11 +115,7 @@ _APART = ("intrinsics", "intrinsic", "extrinsics", "extrinsic")
 def krt_from(
     content: object, path: str, inside: str = "", keys: KrtKeys = KRT_KEYS
 ) -> LoadedCamera:
-    """Read a camera from a decoded object.
-
-    Raises:
-        CameraError: names the place and what was expected.
-    """
+    """Read a camera from a decoded object. `CameraError` names the place and what was expected."""
     entry = _with_distortion(flat_entry(content), keys)
     return camera_of_matrices(JsonValues.of(entry, path, inside, keys.kind), keys)
 
@@ -166,11 +162,8 @@ def flat_entry(entry: Any) -> Any:
 def camera_of_matrices(
     values: JsonValues, keys: KrtKeys, size: tuple[int, int] | None = None
 ) -> LoadedCamera:
-    """A camera from the parts a format has, in this project's world frame and metres.
-
-    Raises:
-        CameraError: a part is missing, or is not what it should be.
-    """
+    """A camera from the parts a format has, in this project's world frame and metres. `CameraError`
+    if a part is missing, or is not what it should be."""
     size = size or _size(values, keys)
     key, k = _agreeing(values, "3 x 3 numbers", keys.k, lambda key: values.matrix(key, 3, 3))
     try:
@@ -347,11 +340,8 @@ def is_projection(content: object) -> bool:
 
 
 def projection_from(content: object, path: str, inside: str = "") -> LoadedCamera:
-    """Read a camera from a decoded matrix, or from an object with one.
-
-    Raises:
-        CameraError: names the place and what was expected.
-    """
+    """Read a camera from a decoded matrix, or from an object with one. `CameraError` names the
+    place and what was expected."""
     values = JsonValues.of(
         {"P": content} if type(content) is list else content, path, inside, PROJECTION_KIND
     )

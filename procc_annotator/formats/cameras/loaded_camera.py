@@ -99,7 +99,6 @@ class CameraRecords:
     Attributes:
         path: the file, for messages.
         entries: frame name -> what the file holds for it; more than one entry cannot be read.
-        read_record: reads one entry.
         notices: remarks on parts of the file that belong to no frame.
         only_folder: that all pictures lie in by their names, while frames are called without it.
         passed_over: damaged records whose frames are unknown.
@@ -126,11 +125,8 @@ class CameraRecords:
         passed_over: Sequence[CameraError] = (),
     ) -> CameraRecords:
         """From (picture's name, record) pairs in file order; frames are called by the last parts of
-        these names, or by their paths where they lie in several folders.
-
-        Raises:
-            CameraError: there is none, and something was expected.
-        """
+        these names, or by their paths where they lie in several folders. `CameraError` if there is
+        none, and something was expected."""
         pairs = list(found)
         if expected and not pairs:
             raise CameraError(path, f"holds no camera, expected {expected}")
@@ -152,11 +148,7 @@ class CameraRecords:
         return replace(self, entries=entries, only_folder="", shots=shots)
 
     def read(self, frame: str) -> LoadedCamera:
-        """The camera of a frame.
-
-        Raises:
-            CameraError: it is damaged, or the frame has two.
-        """
+        """The camera of a frame. `CameraError` if it is damaged, or the frame has two."""
         records = self.entries[frame]
         if len(records) > 1:
             places = " and ".join(record.place for record in records[:3])
@@ -180,7 +172,6 @@ class CameraFormat:
 
     Attributes:
         name: value of ``--camera-format``.
-        title: for people.
         suffixes: of the files that may hold it, lower case.
         default_for: the suffixes ``auto`` reads with it.
         read: ``read(data, path=...)``, the camera of a file that holds one; None in the table for

@@ -53,11 +53,7 @@ def _columns(table: Table) -> list[str]:
 
 
 def table_records(content: Any, path: str) -> CameraRecords:
-    """The camera of every row.
-
-    Raises:
-        CameraError: no such table.
-    """
+    """The camera of every row. `CameraError` for no such table."""
     columns = _columns(content) if isinstance(content, Table) else []
     if not columns or not content.rows:
         raise CameraError(path, f"expected columns frame and {_MATRICES[0]}, or {_DLT}1 ...")

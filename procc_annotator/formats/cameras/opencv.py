@@ -60,10 +60,7 @@ def storage_numbers(
     data: bytes, path: str, wanted: Callable[[set[str]], Iterable[str]]
 ) -> dict[str, Any]:
     """The numbers of the wanted keys of a FileStorage, matrices as lists of rows, vectors flat.
-
-    Raises:
-        CameraError: damaged, or no FileStorage.
-    """
+    `CameraError` if it is damaged, or no FileStorage."""
     import cv2  # most sets have none of these files
 
     text = _text(data, path)
@@ -82,11 +79,8 @@ def storage_numbers(
 
 
 def write_opencv(camera: PinholeCamera | FisheyeCamera, size: tuple[int, int] | None) -> bytes:
-    """A camera as YAML that ``cv::FileStorage`` reads, every number as it is.
-
-    Raises:
-        ValueError: as `krt_content`.
-    """
+    """A camera as YAML that ``cv::FileStorage`` reads, every number as it is. `ValueError` as
+    `krt_content`."""
     content = krt_content(camera, size)
     lines = ["%YAML:1.0", "---"]
     if size is not None:

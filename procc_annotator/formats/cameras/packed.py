@@ -190,11 +190,7 @@ def is_packed(data: bytes) -> bool:
 
 
 def read_packed(data: bytes, path: str) -> PackedCameras:
-    """The cameras of a file.
-
-    Raises:
-        CameraError: damaged, or of a newer version.
-    """
+    """The cameras of a file. `CameraError` if it is damaged, or of a newer version."""
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             if sum(one.file_size for one in archive.infolist()) > _MOST_BYTES:

@@ -61,11 +61,8 @@ _POSE_WORDS = 10  # id, four of the quaternion, three of t, the lens's id, the n
 
 
 def colmap_records(images: bytes, cameras: bytes, path: str, cameras_path: str) -> CameraRecords:
-    """The camera of every picture of a model.
-
-    Raises:
-        CameraError: damaged, or without a picture.
-    """
+    """The camera of every picture of a model. `CameraError` if it is damaged, or without a
+    picture."""
     if cameras_path.lower().endswith(".bin"):
         lenses = _Binary(cameras, cameras_path).lenses()
         poses = _Binary(images, path).poses()

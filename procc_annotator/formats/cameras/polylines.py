@@ -48,11 +48,7 @@ def polylines_records(content: object, path: str) -> CameraRecords | None:
 
 
 def polylines_from(content: object, path: str, inside: str = "") -> LoadedCamera:
-    """Read the polylines of one frame.
-
-    Raises:
-        CameraError: names the place and what was expected.
-    """
+    """Read the polylines of one frame. `CameraError` names the place and what was expected."""
     values = JsonValues.of(content, path, inside, KIND)
     if is_whole(content):
         return _whole_from(values)

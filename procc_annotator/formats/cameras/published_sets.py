@@ -107,11 +107,8 @@ def _annotations(content: object) -> list[dict[str, Any]]:
 
 
 def annotation_records(read: ReadRecord, content: object, path: str) -> CameraRecords:
-    """The cameras of the entries ``annotation(i)`` of decoded content.
-
-    Raises:
-        CameraError: it holds no camera.
-    """
+    """The cameras of the entries ``annotation(i)`` of decoded content. `CameraError` if it holds no
+    camera."""
     found = [
         (str(entry["image_name"]), CameraRecord(f"annotation({i})", entry))
         for i, entry in enumerate(_annotations(content), 1)
@@ -158,11 +155,8 @@ _USED = (
 
 
 def transforms_records(content: object, path: str) -> CameraRecords:
-    """The camera of every picture of a decoded transforms.json.
-
-    Raises:
-        CameraError: it lists no pictures.
-    """
+    """The camera of every picture of a decoded transforms.json. `CameraError` if it lists no
+    pictures."""
     values = JsonValues.of(content, path, kind=_TRANSFORMS.kind)
     frames = values.content.get("frames")
     if type(frames) is not list or not frames:

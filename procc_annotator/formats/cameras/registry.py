@@ -108,11 +108,8 @@ def _recognised(data: bytes, path: str, name: str | None) -> tuple[CameraFormat,
 
 
 def only_record(records: CameraRecords) -> LoadedCamera:
-    """The camera of a file of many that happens to hold one.
-
-    Raises:
-        CameraError: it holds several, or its camera is damaged.
-    """
+    """The camera of a file of many that happens to hold one. `CameraError` if it holds several, or
+    its camera is damaged."""
     if len(records.entries) != 1:
         raise CameraError(
             records.path,
@@ -225,7 +222,6 @@ def _read_or_name(read: Callable[..., T], data: bytes, path: str) -> T:
 
 
 def _refuse_unread(path: str, data: bytes = b"") -> None:
-    """Refuse what is of a program whose files are not read."""
     if (unread := unread_format(path, data)) is not None:
         raise CameraError(path, unread.problem, advice=unread.advice)
 

@@ -181,10 +181,7 @@ def tvcalib_records(content: object, path: str) -> CameraRecords:
 
 def tvcalib_from(content: object, path: str, inside: str = "") -> LoadedCamera:
     """Read a decoded record: camera parameters, or else the homography picture -> world metres.
-
-    Raises:
-        CameraError: names the place and what was expected.
-    """
+    `CameraError` names the place and what was expected."""
     values = JsonValues.of(content, path, inside, TVCALIB_KIND, nested=True)
     if is_soccernet(values.content):
         loaded = camera_from(content, path=path, inside=inside, nested=True)
@@ -250,11 +247,8 @@ def broadtrack_records(content: object, path: str) -> CameraRecords:
 
 
 def broadtrack_from(content: object, path: str, inside: str = "") -> LoadedCamera:
-    """Read a decoded entry, ``{"cp": camera, ...}``.
-
-    Raises:
-        CameraError: names the place and what was expected.
-    """
+    """Read a decoded entry, ``{"cp": camera, ...}``. `CameraError` names the place and what was
+    expected."""
     entry = JsonValues.of(content, path, inside, BROADTRACK_KIND)
     entry.need("the camera", "cp")
     place = f"{inside}: cp" if inside else "cp"

@@ -258,11 +258,8 @@ def holds_manifest(path: Path) -> bool:
 
 
 def read_manifest(path: Path) -> Manifest:
-    """Return what the archive was made for.
-
-    Raises:
-        InputError: the archive cannot be opened, or holds no manifest that can be used.
-    """
+    """Return what the archive was made for. `InputError` if the archive cannot be opened, or holds
+    no manifest that can be used."""
     with ZipSource(path) as archive:
         if not archive.has(MANIFEST_FILE):
             raise InputError(
@@ -304,11 +301,7 @@ def require_made_for(
 def check_polylines(
     path: Path, field: Field, field_sha256: str, frames: Collection[str] | None
 ) -> list[SubmissionRemark]:
-    """Look for everything that would go wrong.
-
-    Raises:
-        InputError: the archive cannot be opened.
-    """
+    """Look for everything that would go wrong. `InputError` if the archive cannot be opened."""
     try:
         manifest = read_manifest(path)
     except InputError as error:

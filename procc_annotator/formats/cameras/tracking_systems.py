@@ -121,11 +121,8 @@ def opentrackio_records(content: Any, path: str) -> CameraRecords | None:
 
 
 def opentrackio_from(content: Any, path: str, inside: str = "") -> LoadedCamera:
-    """The camera of a sample, whose transforms lead from the stage to the sensor.
-
-    Raises:
-        CameraError: a part is missing, or is not what it should be.
-    """
+    """The camera of a sample, whose transforms lead from the stage to the sensor. `CameraError` if
+    a part is missing, or is not what it should be."""
     import cv2  # most sets have none of these files
 
     sample = JsonValues.of(content, path, inside, _OTIO.kind)
@@ -220,11 +217,7 @@ def is_qualisys(content: Any) -> bool:
 
 
 def qualisys_records(content: Any, path: str) -> CameraRecords:
-    """The cameras of a calibration, named by serial number.
-
-    Raises:
-        CameraError: it lists none.
-    """
+    """The cameras of a calibration, named by serial number. `CameraError` if it lists none."""
     cameras = content.findall("cameras/camera") if is_qualisys(content) else []
     found = [(c.get("serial", str(i)), CameraRecord(f"camera {i}", c))
              for i, c in enumerate(cameras, 1)]  # fmt: skip

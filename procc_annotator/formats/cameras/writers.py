@@ -66,7 +66,6 @@ class ConvertedCameras:
     """Files that were written.
 
     Attributes:
-        path: the folder or archive.
         written: number of cameras.
         problems: one line for each camera that could not be read or that the format cannot hold.
         losses: remarks on the cameras, what of them the format does not hold, and for how many.
@@ -169,11 +168,7 @@ CAMERA_TARGETS: tuple[str, ...] = tuple(writer.name for writer in WRITERS)
 
 
 def writer_of(name: str) -> CameraWriter:
-    """The writer of a format.
-
-    Raises:
-        UsageError: no such format.
-    """
+    """The writer of a format. `UsageError` if there is none."""
     for writer in WRITERS:
         if writer.name == name:
             return writer

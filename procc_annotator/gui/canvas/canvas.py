@@ -118,7 +118,7 @@ class Canvas(PictureView):
         self.shown.set_picture(looked_at, whole=state.half is None)
         self.set_picture(self.shown.pixels, state.picture_size, keep_view=self.keep_zoom)
         self.overlay_item.set_area(self.sceneRect())
-        self.comparison.set_area(self.sceneRect())
+        self.comparison.other_side.set_area(self.sceneRect())
         self.camera_drag.item.set_area(self.sceneRect())
         self.keys.keep_within()
         self.drawing.refresh_everywhere()
@@ -326,7 +326,7 @@ class Canvas(PictureView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self.comparison.place()
-        self.maps.place()
+        self.maps.legend.place()
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)

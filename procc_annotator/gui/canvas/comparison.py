@@ -108,10 +108,6 @@ class OtherSources(QObject):
 
     # --- drawing --------------------------------------------------------------------------
 
-    def set_area(self, area: QRectF) -> None:
-        """Set the area that may be painted, scene coordinates."""
-        self.other_side.set_area(area)
-
     def refresh(self, *, hidden: bool) -> None:
         """Draw anew what changed, except the overlays of both sides, which the canvas makes."""
         was_divided = self.split.shown

@@ -150,10 +150,7 @@ class CornerLegend(ViewportOverlay):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         with QPainter(self) as painter:
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(_PLATE)
-            painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
+            self.paint_plate(painter, _PLATE)
             line = (self.height() - 2 * _EDGE + 4) / max(1, len(self.entries))
             middles = [_EDGE - 2 + line * (i + 0.5) for i in range(len(self.entries))]
             places = [(_EDGE, y) for y in middles]

@@ -145,16 +145,12 @@ class MetreMapLegend(ViewportOverlay):
         self.put(QRect(QPoint(_EDGE, top), QSize(width, height)))
 
     def _problem_room(self, width: int) -> QRectF:
-        """Return what the wrapped remark takes."""
         room = QRectF(0, 0, width - 2 * _EDGE, 1000)
         return QFontMetricsF(self.font()).boundingRect(room, _WRAPPED, self.problem)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(_PLATE)
-        painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
+        self.paint_plate(painter, _PLATE)
         painter.setPen(_TEXT)
         if self._words is not None:
             self._paint_scale(painter, self._words)
@@ -222,10 +218,6 @@ class MetreMaps(QObject):
         if hidden != self._hidden:
             self._hidden = hidden
             self._show()
-
-    def place(self) -> None:
-        """Arrange everything in the viewport as it is now."""
-        self.legend.place()
 
     def _show(self) -> None:
         if self._hidden or self._services.state.frame is None:

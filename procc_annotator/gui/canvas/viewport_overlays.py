@@ -48,6 +48,13 @@ class ViewportOverlay(QWidget):
         self._place = area.topLeft()
         self.setGeometry(area)
 
+    def paint_plate(self, painter: QPainter, tone: QColor) -> None:
+        """Paint a rounded ground, and go on smoothly and without an outline."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(tone)
+        painter.drawRoundedRect(QRectF(self.rect()), 4, 4)
+
     def moveEvent(self, event: QMoveEvent) -> None:
         super().moveEvent(event)
         if self.pos() != self._place:
@@ -69,49 +76,39 @@ class NamePlate(ViewportOverlay):
 
     def __init__(self, viewport: QWidget, name: str) -> None:
         super().__init__(viewport, name)
-        self._text = ""
+        self.text = ""
         self._colour: QColor | None = None
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
-    @property
-    def text(self) -> str:
-        """Return what it says."""
-        return self._text
-
     def say(self, text: str, colour: str) -> None:
         """Show another text."""
-        self._text, self._colour = text, QColor(colour)
+        self.text, self._colour = text, QColor(colour)
         self.setAccessibleName(text)
         self.update()
 
     def wanted_size(self) -> QSize:
         """Room for the whole text."""
         metrics = QFontMetricsF(self.font())
-        return QSize(
-            round(metrics.horizontalAdvance(self._text)) + 34, round(metrics.height()) + 10
-        )
+        return QSize(round(metrics.horizontalAdvance(self.text)) + 34, round(metrics.height()) + 10)
 
     def wanted_height(self, width: int) -> int:
         """Room for the whole text, in as many lines as a width makes of it."""
         room = QRectF(0, 0, width - 32, 0)
         metrics = QFontMetricsF(self.font())
-        wrapped = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, self._text)
+        wrapped = metrics.boundingRect(room, Qt.TextFlag.TextWordWrap, self.text)
         return round(wrapped.height()) + 10
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self.paint_plate(painter, _PLATE)
         area = QRectF(self.rect())
-        painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(_PLATE)
-        painter.drawRoundedRect(area, 4, 4)
         if self._colour is not None:
             painter.setPen(QPen(_LIGHT, 1))
             painter.setBrush(self._colour)
             painter.drawRect(QRectF(8.5, area.center().y() - 5, 10, 10))
         painter.setPen(_LIGHT)
         room = area.adjusted(26, 0, -6, 0)
-        text = self._text
+        text = self.text
         if room.height() < self.wanted_height(self.width()):
             middle = Qt.TextElideMode.ElideMiddle
             text = self.fontMetrics().elidedText(text, middle, int(room.width()))
@@ -207,7 +204,7 @@ class SplitView(QObject):
         super().__init__(viewport)
         self._viewport = viewport
         self._share = 0.5
-        self._shown = False
+        self.shown = False
         self.top = 0  # screen px that something else covers
         self._line = _Line(viewport, "dividerLine")
         self.grip = DividerGrip(viewport)
@@ -220,25 +217,20 @@ class SplitView(QObject):
         """Return where the divider is in the viewport; it keeps its share of the width."""
         return round(self._share * self._viewport.width())
 
-    @property
-    def shown(self) -> bool:
-        """Return whether the picture is divided."""
-        return self._shown
-
     def move_to(self, x: float) -> None:
         """Put the divider somewhere else, not out of reach."""
         before, width = self.x, self._viewport.width()
         edge = min(_NEAREST_EDGE, width / 2)
         self._share = min(max(x, edge), width - edge) / max(1, width)
         self.place()
-        if self._shown and self.x != before:
+        if self.shown and self.x != before:
             self.moved.emit(before, self.x)
 
     def show_names(self, left: tuple[str, str], right: tuple[str, str]) -> None:
         """Divide the picture; each side's text and colour stand at its top."""
         self.left.say(*left)
         self.right.say(*right)
-        self._shown = True
+        self.shown = True
         self.place()
         for part in (self._line, self.left, self.right, self.grip):
             part.show()
@@ -246,7 +238,7 @@ class SplitView(QObject):
 
     def hide(self) -> None:
         """One picture again."""
-        self._shown = False
+        self.shown = False
         for part in (self._line, self.left, self.right, self.grip):
             part.hide()
 

@@ -238,7 +238,6 @@ class Assistant(QObject):
             services.say("; ".join(filter(None, (words, self._left_out(wanted, outcome)))))
 
     def _left_out(self, wanted: tuple[Polyline, ...], outcome: Copied) -> str:
-        """Name the elements that were not copied."""
         done, index = {p.class_name for p in outcome.polylines}, self._services.state.field.index
         elements = self._services.state.field.elements
         names = [p.class_name for p in wanted if p.class_name not in done]

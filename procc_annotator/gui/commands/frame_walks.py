@@ -272,7 +272,6 @@ class _Walk:
     Attributes:
         key: what it is a walk through; another one begins with the worst frame.
         order: positions of frames, the worst first.
-        values: what ranked them.
         place: visited last, -1 at the beginning.
     """
 

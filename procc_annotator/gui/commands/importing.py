@@ -55,7 +55,6 @@ class LookedAt:
     Attributes:
         found: by the dataset's own map, if it has one.
         own: rules of that map.
-        proposals: of the other labels.
         better: title of a field whose classes are called more like the labels; may be empty.
         has_file: whether the dataset has a map already.
     """

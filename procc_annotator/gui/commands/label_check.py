@@ -159,18 +159,16 @@ class LabelCheckCommands(QObject):
         if size is None or not found.places or not annotated.issuperset(p[0] for p in found.places):
             return
         name, index = found.places[0]
-        if found.finding.point is not None:
-            services.selection.select_point(name, index)
-        else:
-            services.selection.select_point(None)
-            services.selection.select_class(name)
         annotation = services.state.annotation
         if found.finding.point is not None:
+            services.selection.select_point(name, index)
             polyline = annotation.get(name)
             if polyline is not None and index < len(polyline.points):
                 x, y = points_px(polyline, size)[index].tolist()
                 services.store.events.flyTo.emit(x, y)
             return
+        services.selection.select_point(None)
+        services.selection.select_class(name)
         shown = [annotation.get(each) for each, _ in found.places]
         points = np.concatenate([points_px(p, size) for p in shown if p is not None])
         services.store.events.flyToArea.emit(

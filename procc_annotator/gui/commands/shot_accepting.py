@@ -51,7 +51,6 @@ class _Stretch:
         indices: of these.
         tracked: number -> what is known of its camera.
         annotated: indices of frames that are left as they are.
-        frames: the dataset's.
         revealed: names of the frames whose cameras may be used; None: all.
         not_visible: the classes that cannot be seen in a frame; for any thread.
         least: how much of a line is to be seen.

@@ -133,7 +133,6 @@ class ElementsPanel(Panel):
         self._add(listed | dict.fromkeys(field.classes_without_geometry, _OTHER_GROUP))
 
     def _add(self, listed: Mapping[str, str]) -> None:
-        """Add rows of classes, each in its group."""
         font = QFont(self.font())
         font.setBold(True)
         added = []

@@ -346,7 +346,6 @@ class FitPanel(Panel):
 
 
 def _chosen_words(fit: FitResult) -> str:
-    """Which model it is, and why if it was chosen."""
     words = tr(MODEL_WORDS.get(fit.model, fit.model))
     if fit.chosen_because is None:
         return words

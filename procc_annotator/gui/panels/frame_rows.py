@@ -229,7 +229,7 @@ class FramesModel(QAbstractListModel):
         super().__init__()
         self._services = services
         self._rows: range | list[int] = range(0)
-        self._count = 0
+        self.total = 0  # frames, shown or not
         self._row_of: dict[int, int] | None = None
         self._shown: list[int] | None = None
         self.folders: tuple[Folder, ...] = ()
@@ -255,7 +255,7 @@ class FramesModel(QAbstractListModel):
         self._without_thumbnail.clear()
         self._wanted.clear()
         frames = workspace.frames if workspace is not None else ()
-        self._count = len(frames)
+        self.total = len(frames)
         self._shown = None
         self.scores = self._services.scoring.frame_scores
         names = [frame.name for frame in frames]
@@ -280,18 +280,13 @@ class FramesModel(QAbstractListModel):
         if self.folders:
             self._rows = rows_of(self.folders, self._now_folded, self._shown)
         else:
-            self._rows = range(self._count) if self._shown is None else self._shown
+            self._rows = range(self.total) if self._shown is None else self._shown
         self.endResetModel()
-
-    @property
-    def total(self) -> int:
-        """Return how many frames there are, shown or not."""
-        return self._count
 
     @property
     def shown(self) -> int:
         """Return how many frames the filter lets through, in folded folders, too."""
-        return self._count if self._shown is None else len(self._shown)
+        return self.total if self._shown is None else len(self._shown)
 
     def frame_index(self, row: int) -> int:
         """The frame shown in a row; negative where that is a folder's."""

@@ -361,7 +361,6 @@ class Panel(QWidget):
         self._refresher = self._services.store.watch_visible(self, self._refresh, select, *signals)
 
     def _refresh(self) -> None:
-        """Show what is to be seen now."""
         raise NotImplementedError
 
 

@@ -463,7 +463,7 @@ class ComputedValue(QObject, Generic[T]):
         self._newest: Inputs | str | None = None  # at the last `invalidate`
         self._job: Job | None = None
         self._problem = ""  # the last one that was signalled
-        self._enabled = enabled
+        self.enabled = enabled  # whether the value is needed; nothing is computed otherwise
         self._later = after_paint(self, self.invalidate)
 
     # --- access -----------------------------------------------------------------------------
@@ -505,17 +505,12 @@ class ComputedValue(QObject, Generic[T]):
 
     def inputs(self) -> Inputs | str | None:
         """Return the present inputs; None if the value is not needed."""
-        return self._inputs() if self._enabled else None
-
-    @property
-    def enabled(self) -> bool:
-        """Return whether the value is needed; nothing is computed otherwise."""
-        return self._enabled
+        return self._inputs() if self.enabled else None
 
     def set_enabled(self, enabled: bool) -> None:
         """Set whether the value is needed from now on."""
-        if enabled != self._enabled:
-            self._enabled, self._problem = enabled, ""
+        if enabled != self.enabled:
+            self.enabled, self._problem = enabled, ""
             before = self._newest
             self.invalidate()
             if same(before, self._newest):

@@ -78,9 +78,11 @@ def map_shapes(
     painted outside an area. Safe from any thread, and too slow for that of the interface."""
     return MapShapes(
         look,
-        tuple(_path(band) for band in filled_contours(values, x, y, look.levels_m)),
+        tuple(
+            even_odd_path(band.polygons) for band in filled_contours(values, x, y, look.levels_m)
+        ),
         tuple(segments(contour_lines(values, x, y, line.metres)) for line in look.lines),
-        None if area is None else _path(area),
+        None if area is None else even_odd_path(area.polygons),
     )
 
 
@@ -90,10 +92,11 @@ def segments(lines: Iterable[FloatArray]) -> FloatArray:
     return np.concatenate(pieces) if pieces else np.empty((0, 4))
 
 
-def _path(band: ContourBand) -> QPainterPath:
+def even_odd_path(polygons: Iterable[Iterable[FloatArray]]) -> QPainterPath:
+    """The area of polygons, each the (n, 2) outlines of itself and of its holes."""
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.OddEvenFill)
-    for outlines in band.polygons:
+    for outlines in polygons:
         for outline in outlines:
             path.addPolygon(QPolygonF([QPointF(u, v) for u, v in outline.tolist()]))
     return path

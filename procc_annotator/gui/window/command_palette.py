@@ -220,7 +220,6 @@ class PaletteEntries:
             yield self._frame(index, title)
 
     def _of_frames(self, text: str) -> Iterator[Entry]:
-        """Frames with every word in their names."""
         workspace = self._services.state.workspace
         wanted = text.casefold().split()
         for index, frame in enumerate(workspace.frames if workspace is not None else ()):

@@ -29,7 +29,7 @@ class AdjustmentControls(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("lookControls")
-        self._look = DisplayAdjustment()
+        self.look = DisplayAdjustment()
         self._numbers: dict[str, QLabel] = {}
         self.sliders = {
             "brightness": self._slider("brightness", tr("Shift all values")),
@@ -38,7 +38,7 @@ class AdjustmentControls(QWidget):
         }
         tip = tr("Bring out worn and shaded lines")
         self.enhance = named(QCheckBox(tr("Line enhance")), "lookEnhance", tip=tip)
-        self.enhance.toggled.connect(lambda on: self._choose(replace(self._look, enhance=on)))
+        self.enhance.toggled.connect(lambda on: self._choose(replace(self.look, enhance=on)))
         self.reset_button = make_button(
             tr("Reset"),
             lambda: self._choose(DisplayAdjustment()),
@@ -48,14 +48,9 @@ class AdjustmentControls(QWidget):
         self._arrange()
         self._show()
 
-    @property
-    def look(self) -> DisplayAdjustment:
-        """Return what the controls show."""
-        return self._look
-
     def set_look(self, look: DisplayAdjustment) -> None:
         """Show a look that was chosen elsewhere; nothing is announced."""
-        self._look = look
+        self.look = look
         self._show()
 
     # --- building -------------------------------------------------------------------------
@@ -94,20 +89,20 @@ class AdjustmentControls(QWidget):
     def _slide(self, name: str, step: int) -> None:
         share = step / _STEPS
         if name == "brightness":
-            self._choose(replace(self._look, brightness=share))
+            self._choose(replace(self.look, brightness=share))
         elif name == "contrast":
-            self._choose(replace(self._look, contrast=share))
+            self._choose(replace(self.look, contrast=share))
         else:
-            self._choose(replace(self._look, gamma=MAX_GAMMA**share))
+            self._choose(replace(self.look, gamma=MAX_GAMMA**share))
 
     def _choose(self, look: DisplayAdjustment) -> None:
-        if look != self._look:
-            self._look = look
+        if look != self.look:
+            self.look = look
             self._show()
             self.lookChanged.emit(look)
 
     def _show(self) -> None:
-        look = self._look
+        look = self.look
         steps = {
             "brightness": look.brightness * _STEPS,
             "contrast": look.contrast * _STEPS,

@@ -264,7 +264,6 @@ class KeymapDialog(QDialog):
     # --- showing ------------------------------------------------------------------------------
 
     def _show(self) -> None:
-        """Show the keymap as it is now."""
         self.table.rows.replace(key_rows(self._field, self.keymap))
         hard = clashes(self.keymap)  # an element's keys are given up for an action's
         kept = next((name for name, preset in PRESETS.items() if preset == self.keymap), _OWN)

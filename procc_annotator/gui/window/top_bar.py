@@ -112,7 +112,6 @@ class CameraBar(QWidget):
         self._show_cameras()
 
     def _show_cameras(self) -> None:
-        """The loaded sets and the active one."""
         services, looks = self._services, self._services.state.looks
         names = [tr(_NO_CAMERA), *(look.cameras.name for look in looks)]
         if names != self._listed:
@@ -367,7 +366,6 @@ class TopBar(QWidget):
         self._show_status()
 
     def _show_dataset(self) -> None:
-        """Show the dataset and its sport."""
         workspace, field = self._services.state.workspace, self._services.state.field
         name = workspace.root.name if workspace is not None else ""
         self.chip.set_words(" · ".join(filter(None, (name, tr(field.title)))))

@@ -80,12 +80,7 @@ def _catch_up(panel: QWidget, in_sight: bool) -> None:
 
 
 class Workspaces(QObject):
-    """The docks of the window's panels, workspace by workspace.
-
-    Attributes:
-        by_name: one dock for each panel.
-        workspace: the one in sight.
-    """
+    """The docks of the window's panels, workspace by workspace; ``by_name``: one for each panel."""
 
     turned = Signal(str)  # which workspace is in sight
     allHidden = Signal(bool)  # every panel is hidden on purpose, or no longer

@@ -44,7 +44,6 @@ class Outage:
 
     Attributes:
         frame: place in the shot of the first of them.
-        length: how many.
         back_after: frames from the first one until there is a camera that moves steadily; None
             where the shot ends before.
     """

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from html import escape
 from typing import TYPE_CHECKING, Any
@@ -89,24 +90,29 @@ class Panel:
     left_in: float = 0.55
 
 
-def draw_chart(number: int, title: str, text: str, panels: Sequence[Panel]) -> Chart:
-    """Draw a chart of at least one panel; ``number`` distinguishes the ids of the page's charts,
-    and a screen reader says the title."""
+@contextmanager
+def drawing_settings(own: dict[str, Any]) -> Iterator[None]:
+    """Draw with these settings of matplotlib and its defaults: a matplotlibrc of the user must not
+    change what comes out. Scripts that the font lacks are no warning."""
     import warnings
 
     import matplotlib
+
+    usual: Any = {
+        k: v for k, v in matplotlib.rcParamsDefault.items() if not k.startswith("backend")
+    }
+    with warnings.catch_warnings(), matplotlib.rc_context(usual | own):
+        warnings.filterwarnings("ignore", message="Glyph")  # the browser has a font for them
+        yield
+
+
+def draw_chart(number: int, title: str, text: str, panels: Sequence[Panel]) -> Chart:
+    """Draw a chart of at least one panel; ``number`` distinguishes the ids of the page's charts,
+    and a screen reader says the title."""
     from matplotlib.backends.backend_svg import FigureCanvasSVG
 
-    # A matplotlibrc of the user must not change the report.
-    settings: Any = {
-        key: value
-        for key, value in matplotlib.rcParamsDefault.items()
-        if not key.startswith("backend")
-    }
     svgs = []
-    with warnings.catch_warnings(), matplotlib.rc_context(settings | _SETTINGS):
-        # Names in scripts that its own font lacks: the browser has a font for them.
-        warnings.filterwarnings("ignore", message="Glyph")
+    with drawing_settings(_SETTINGS):
         for place, panel in enumerate(panels):
             canvas: Any = FigureCanvasSVG(panel_figure(panel))
             stream = io.StringIO()

@@ -149,7 +149,6 @@ def _bias_words(one: ChartedMethod) -> str:
 
 
 def _rose(axes: Any, one: ChartedMethod) -> None:
-    """Shares of directions on polar axes."""
     width = 2 * math.pi / _SECTORS
     residuals = one.points.residuals_px
     # The picture's y points down, that of a rose up.

@@ -104,7 +104,6 @@ class ReportInputs:
 
     Attributes:
         cameras: of the report's sources, in their order.
-        pictures: frame -> picture.
         over_time: the sources over their shots; none unless that was asked.
     """
 
@@ -115,11 +114,7 @@ class ReportInputs:
 
 
 def report_kind(path: Path) -> str:
-    """``html``, ``csv``, ``json`` or ``tex``, by suffix.
-
-    Raises:
-        UsageError: another suffix.
-    """
+    """``html``, ``csv``, ``json`` or ``tex``, by suffix. `UsageError` for another suffix."""
     suffix = path.suffix.lower()
     if suffix not in REPORT_SUFFIXES:
         raise UsageError(
@@ -129,11 +124,8 @@ def report_kind(path: Path) -> str:
 
 
 def check_request(request: ReportRequest, names: Sequence[str]) -> None:
-    """Fail before the work, not after it.
-
-    Raises:
-        UsageError: a pair or a reference that names no source.
-    """
+    """Fail before the work, not after it. `UsageError` for a pair or a reference that names no
+    source."""
     wanted = [name for pair in request.disagreement for name in pair]
     for name in [*wanted, *([request.reference] if request.reference else [])]:
         if name not in names:

@@ -121,7 +121,6 @@ def _significantly_best(
 
 
 def _rests_on(report: AuditReport) -> str:
-    """Which frames the figures rest on, and what is bold."""
     first = report.evaluated[0].summaries[report.tau]
     counts = {s.name: s.summaries[report.tau].evaluated for s in report.evaluated}
     if len(set(counts.values())) == 1:

@@ -71,11 +71,7 @@ class InferenceSettings:
         return replace(self, poses=poses)
 
     def certainty(self, of_set: str, sources: Sequence[SourceSums]) -> Inference:
-        """Of sources over the same set.
-
-        Raises:
-            UsageError: frames cannot be clustered as asked.
-        """
+        """Of sources over the same set. `UsageError` if frames cannot be clustered as asked."""
         same = restrict_to_common_frames(sources)
         clusters = clusters_of(
             same[0].names, self.cluster, self.tag(of_set, self.cluster), self.orders.get(of_set)

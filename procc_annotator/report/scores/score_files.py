@@ -356,11 +356,7 @@ def _group_entries(groups: Sequence[GroupSummary]) -> list[dict[str, Any]]:
 
 
 def score_format(path: Path) -> str:
-    """``json`` or ``csv``, by suffix.
-
-    Raises:
-        UsageError: another suffix.
-    """
+    """``json`` or ``csv``, by suffix. `UsageError` for another suffix."""
     suffix = path.suffix.lower()
     if suffix not in SCORE_SUFFIXES:
         raise UsageError(f"{path}: scores are written as .json or .csv, end the name so")

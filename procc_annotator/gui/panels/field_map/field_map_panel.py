@@ -209,7 +209,6 @@ class FieldMapPanel(Panel):
         return "\n".join(filter(None, lines))
 
     def _heading(self, name: str) -> str:
-        """Return what a class is called, and its key."""
         title = class_title(self._services.state.field, name)
         keys = key_text(self._services.state.field, name, self._services.state.keymap)
         return f"{title}  ({keys})" if keys else title
@@ -289,7 +288,6 @@ class FieldMapPanel(Panel):
         )
 
     def _paint_metres(self, painter: QPainter, placed: Placement) -> None:
-        """Bands of the map in metres that is shown."""
         found = self._services.uncertainty.value or self._services.disagreement.value
         if found is not None:
             paint_metres(painter, placed, found.field)

@@ -7,13 +7,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPalette, QPolygonF, QTransform
+from PySide6.QtGui import QColor, QPainter, QPalette, QPolygonF, QTransform
 
 from procc_annotator.arrays import FloatArray
 from procc_annotator.gui.canvas.map_painting import paint_shapes
 from procc_annotator.gui.panels.element_states import ElementState, paint_symbol, state_colour
 from procc_annotator.gui.panels.field_map.field_shape import Bounds, FieldShape
-from procc_annotator.gui.state.maps import MapShapes, TopViewImage
+from procc_annotator.gui.state.maps import MapShapes, TopViewImage, even_odd_path
 from procc_annotator.gui.theme import blend, muted
 from procc_annotator.interaction import palette as tones
 from procc_annotator.interaction.camera_view import VisibleField
@@ -162,14 +162,9 @@ def paint_ground(
         painter.fillRect(around, ground_colour(palette))
         return
     painter.fillRect(around, ground_colour(palette, _FAINT))
-    path = QPainterPath()
-    path.setFillRule(Qt.FillRule.OddEvenFill)
-    for outlines in sight.ground:
-        for outline in outlines:
-            path.addPolygon(QPolygonF([QPointF(x, y) for x, y in outline.tolist()]))
     painter.save()
     painter.setClipRect(around, _INTERSECT)
-    painter.fillPath(placed.transform.map(path), ground_colour(palette, 2.0))
+    painter.fillPath(placed.transform.map(even_odd_path(sight.ground)), ground_colour(palette, 2.0))
     painter.restore()
 
 

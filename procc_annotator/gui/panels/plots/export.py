@@ -189,7 +189,6 @@ class ExportablePlot(Panel):
 
     @property
     def _unfinished(self) -> bool:
-        """Return whether the plot is not of all frames yet."""
         request = self._request
         of_set = request is not None and request.scope == "set"
         return of_set and self._services.scoring.running

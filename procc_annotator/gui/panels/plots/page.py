@@ -383,7 +383,6 @@ class PlotPage(QWidget, Generic[D]):
     """One plot; anyone who holds it computes its data, perhaps in another thread, and has it drawn.
 
     Class attributes:
-        name: its object name.
         title: its name in the list of plots, marked by ``word``.
         scopes: which choices of frames make sense.
         by_class: whether one class can be chosen.
@@ -453,10 +452,6 @@ class PlotPage(QWidget, Generic[D]):
     def is_empty(self) -> bool:
         """Return whether there is nothing but words."""
         return self._pages.currentWidget() is self.empty
-
-    def say_empty(self, why: str) -> None:
-        """Show words in place of the plot, or the plot (no words)."""
-        self._pages.explain(why)
 
     def add_plot(self, row: int, bottom: str, left: str, *, movable: bool = True) -> Any:
         """A set of axes with labels."""

@@ -96,7 +96,7 @@ class TauPage(PlotPage[JacCurves]):
                 line.setData(TAU_GRID, curve, pen=self.pen(source))
         items.finish()
         self.mark(request)
-        self.say_empty("" if any(data.frames) else request.why_nothing(_nothing(request)))
+        self._pages.explain("" if any(data.frames) else request.why_nothing(_nothing(request)))
         said = []
         if request.scope == "set" and len(set(data.frames)) > 1:
             said.append(tr("Each curve is the mean of the frames that source has a camera for."))
@@ -186,7 +186,7 @@ class TimelinePage(PlotPage[tuple[FloatArray, ...]]):
         self._thin_out()
         self.mark(request)
         nothing = not any(np.isfinite(values).any() for values in data)
-        self.say_empty(request.why_nothing(_nothing(request)) if nothing else "")
+        self._pages.explain(request.why_nothing(_nothing(request)) if nothing else "")
         return ""
 
     def mark(self, request: PlotRequest) -> None:
@@ -346,7 +346,7 @@ class HistogramPage(PlotPage[ErrorBars]):
         self.item.setXRange(0, float(edges[-1]), padding=0.01)
         self.item.setYRange(0, max(highest, 1) * 1.05, padding=0)
         self.item.getAxis("left").setTicks([_count_ticks(highest)])
-        self.say_empty("" if highest else no_points(request))
+        self._pages.explain("" if highest else no_points(request))
         beyond = tr("The last bar holds all larger errors.") if data.bars.open_ended else ""
         return " ".join(filter(None, (beyond, left_out(data.points))))
 
@@ -502,11 +502,11 @@ class VectorsPage(PlotPage[Vectors]):
             self.item.setRange(xRange=(0, width), yRange=(0, height), padding=0.02)
         count = sum(len(arrows.counts) for arrows in data.arrows)
         if not count and request.scope == "set" and any(len(p.errors_px) for p in data.points):
-            self.say_empty(
+            self._pages.explain(
                 tr("Too few points so far: five in a part of the picture make an arrow.")
             )
         else:
-            self.say_empty("" if count else no_points(request))
+            self._pages.explain("" if count else no_points(request))
         if request.scope == "frame":
             said = tr(
                 "Arrows {factor} times as long as they are: from the click towards the projection.",

@@ -56,11 +56,8 @@ class EvaluationSettings(QObject):
 
     def set_sized_field(self, field: Field, *, keep: bool = True) -> None:
         """Give the field, as it is shown, other dimensions, or lines elsewhere, which the dataset
-        may ``keep``; all that is shown and judged goes by them.
-
-        Raises:
-            FieldError: a landmark has the name of one of the field's classes.
-        """
+        may ``keep``; all that is shown and judged goes by them. `FieldError` if a landmark has the
+        name of one of the field's classes."""
         field = self._with_own_landmarks(field)
         if keep and (database := self._review.database) is not None:
             store_dimensions(database, field)

@@ -33,7 +33,6 @@ class SourceFrame:
 
     Attributes:
         camera: px of the evaluation size; None if there is none to be used.
-        model: of the camera, for people.
         projected: what the camera shows of the field.
         notice: what to know about it (scaled from another size, missing).
         error: why it cannot be used.
