@@ -18,6 +18,7 @@ os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 import cv2
 import numpy as np
 from PySide6.QtCore import QEventLoop, QPointF, QSettings, Qt, QTimer
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -38,6 +39,7 @@ PICTURES = ROOT / "docs" / "pictures"
 SIZE = (1440, 810)
 FRAMES = 60  # of the drawn shot
 QUALITY = 88  # of WebP: text stays sharp, turf takes a tenth of what it takes as PNG
+FILM_SIZE, FILM_QUALITY = (800, 450), 50
 PATIENCE_MS, STEP_MS = 120_000, 200
 
 
@@ -65,6 +67,31 @@ def take(window: MainWindow, name: str) -> None:
     """Keep what the window shows, in the theme it has."""
     dark = "-dark" if is_dark(QApplication.palette()) else ""
     window.grab().toImage().save(str(PICTURES / f"{name}{dark}.webp"), "WEBP", QUALITY)
+
+
+class Film:
+    """An animation of what the window shows."""
+
+    def __init__(self, window: MainWindow) -> None:
+        self._window = window
+        self._frames: list[np.ndarray] = []
+        self._durations_ms: list[int] = []
+
+    def add(self, duration_ms: int) -> None:
+        """Add what is shown now, for so long."""
+        image = self._window.grab().toImage().convertToFormat(QImage.Format.Format_RGB32)
+        pixels = np.frombuffer(image.constBits(), np.uint8)
+        bgr = pixels.reshape(image.height(), image.bytesPerLine() // 4, 4)[:, : image.width(), :3]
+        self._frames.append(cv2.resize(bgr, FILM_SIZE, interpolation=cv2.INTER_AREA))
+        self._durations_ms.append(duration_ms)
+
+    def write(self, name: str) -> None:
+        """Write it as animated WebP, which repeats."""
+        film = cv2.Animation()
+        film.frames, film.durations = self._frames, self._durations_ms
+        path = str(PICTURES / f"{name}.webp")
+        if not cv2.imwriteanimation(path, film, [cv2.IMWRITE_WEBP_QUALITY, FILM_QUALITY]):
+            raise SystemExit(f"{path}: cannot be written")
 
 
 def as_others_see_it(name: str) -> None:
@@ -276,14 +303,32 @@ def without_a_click(folder: Path) -> None:
     wait_until(lambda: bool(services.ghosts.painted), "looking for the camera in the picture")
     wait(1500)
     take(window, "proposal")
+    film = Film(window)
+    film.add(1800)
     window.canvas.setFocus()
     QTest.keyClick(window.canvas, Qt.Key.Key_Return, Qt.KeyboardModifier.ShiftModifier)
     wait(1500)
+    film.add(1500)
     QTest.keyClick(window.canvas, Qt.Key.Key_T)
-    wait_until(lambda: not window.shot_following.running, "following the camera")
+    while window.shot_following.running:
+        wait(STEP_MS)
+        film.add(STEP_MS)
     services.navigator.go_to(FRAMES // 3)
     wait(1500)
     take(window, "strip")
+    film.add(1000)
+    QTest.keyClick(
+        window.canvas,
+        Qt.Key.Key_Return,
+        Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier,
+    )
+    wait_until(lambda: not window.stretch_accepting.running, "accepting the shot")
+    for number in range(0, FRAMES // 2, 2):
+        services.navigator.go_to(number)
+        wait(2 * STEP_MS)
+        film.add(STEP_MS)
+    if not is_dark(QApplication.palette()):  # one is enough to see how it goes
+        film.write("shot")
     window.close()
 
 
