@@ -106,7 +106,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
             first = next(iter(cameras.frames))
             if instead := found_instead_of_cameras(cameras.path):
                 raise UsageError(f"nothing to do: no camera in {cameras.path}{instead}")
-            if cameras.path.is_file() and len(cameras.frames) == 1:
+            if len(cameras.frames) == 1:
                 cameras.read(first)  # of a file of many that cannot be read only this is known
             annotated, called = self.frames[0].name, cameras.frames.only_folder + first
             raise UsageError(
