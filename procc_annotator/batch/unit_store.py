@@ -11,7 +11,7 @@ import hashlib
 import sqlite3
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import closing, contextmanager, suppress
+from contextlib import ExitStack, closing, contextmanager, suppress
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, NamedTuple, Self
@@ -324,12 +324,13 @@ class UnitStore:
 def only_run(folder: Path) -> Iterator[None]:
     """Hold the lock of a folder, made if needed; UsageError if another run has it."""
     make_folder(folder)
-    file = folder / ".track.lock"
-    with closing(sqlite3.connect(file, timeout=0)) as lock:  # given up when a process ends
-        try:
+    file = folder / ".run.lock"
+    with ExitStack() as opened:
+        try:  # the lock is given up when a process ends
+            lock = opened.enter_context(closing(sqlite3.connect(file, timeout=0)))
             lock.execute("BEGIN EXCLUSIVE")
         except sqlite3.OperationalError as error:
-            why = f"another run writes there ({error}); wait for its end, or choose another place"
+            why = f"another run writes there or it is read-only ({error}); wait, or write elsewhere"
             raise UsageError(f"{folder}: {why}") from error
         try:
             yield

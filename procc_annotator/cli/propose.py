@@ -18,7 +18,7 @@ from procc_annotator.batch.camera_proposals import (
     read_positions,
 )
 from procc_annotator.batch.execution.executor import make_executor
-from procc_annotator.batch.unit_store import field_settings, unfinished_path
+from procc_annotator.batch.unit_store import field_settings, only_run, unfinished_path
 from procc_annotator.calibration.single_image.probability import POSSIBLE_FROM, SURE_FROM
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.cli import input_files, options, outputs, remarks
@@ -151,7 +151,9 @@ def propose(given: ProposeOptions) -> None:
             packed=given.out if match.name else None,
         )
 
-    for_each_match(given.dataset, of_match)
+    outputs.check_is_folder(given.out)
+    with only_run(given.out):
+        for_each_match(given.dataset, of_match)
 
 
 def _propose(given: ProposeOptions, *, packed: Path | None) -> None:
