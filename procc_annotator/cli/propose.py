@@ -24,7 +24,7 @@ from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.matches import for_each_match, place_of_match
+from procc_annotator.cli.matches import annotations_of_match, for_each_match
 from procc_annotator.cli.resuming import is_resuming, resumable
 from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.frames import Frame
@@ -145,7 +145,7 @@ def propose(given: ProposeOptions) -> None:
                 given,
                 dataset=match.pictures,
                 out=given.out / match.name,
-                annotations=place_of_match(given.annotations, match),
+                annotations=annotations_of_match(given.annotations, match),
                 field_options=field,
             ),
             packed=given.out if match.name else None,

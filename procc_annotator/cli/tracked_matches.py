@@ -34,7 +34,7 @@ from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.cli import options, remarks
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.matches import place_of_match
+from procc_annotator.cli.matches import annotations_of_match, place_of_match
 from procc_annotator.dataset import remote_files
 from procc_annotator.dataset.dataset_field import with_dataset_pixels
 from procc_annotator.dataset.season import Match
@@ -64,17 +64,17 @@ class Anchors:
     camera_size: tuple[int, int] | None
     by_match: bool
 
-    def place(self, root: Path | None, match: Match) -> Path | None:
+    def annotations_of(self, match: Match) -> Path | None:
         """Return where those of a match are, if there are any."""
-        return place_of_match(root, match) if self.by_match else root
+        return annotations_of_match(self.annotations, match) if self.by_match else self.annotations
 
     def of(
         self, match: Match, pictures: PictureSource, shown: Field, given: options.FieldOptions
     ) -> TrackAnchors:
         """The anchors of a match; remarks on them are printed."""
         found = TrackAnchors()
-        annotations = self.place(self.annotations, match)
-        cameras = self.place(self.cameras, match)
+        annotations = self.annotations_of(match)
+        cameras = place_of_match(self.cameras, match) if self.by_match else self.cameras
         if annotations is not None:
             clicked = pictures.annotated(annotations, shown, given.names(shown))
             remarks.report_remarks(clicked.notices)
@@ -133,8 +133,7 @@ class TrackedMatches:
     def begin(self, store: UnitStore, name: str) -> Plan[TrackedMatch]:
         """The plan of a match, of which the store notes how many frames it has."""
         match, shown = self.matches[name], self.fields[name]
-        annotations = self._anchors.place(self._anchors.annotations, match)
-        pictures = open_pictures(match.pictures, annotations)
+        pictures = open_pictures(match.pictures, self._anchors.annotations_of(match))
         remarks.report_remarks(pictures.notices)
         self.problems += pictures.problems
         anchors = self._anchors.of(match, pictures, shown, self._given)
