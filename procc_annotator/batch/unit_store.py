@@ -227,12 +227,13 @@ class UnitStore:
             Unit(f"{match}/{MATCH}", match, MATCH, state, 0, changed=time.time(), **about), None
         )
 
-    def keep_only(self, match: str, stamp: str) -> None:
-        """Drop the units of other content of a match, whose keys do not have its stamp."""
-        self._write(
-            "DELETE FROM units WHERE match = ? AND kind <> ? AND instr(key, ?) = 0",
-            match, MATCH, f"/{stamp}/",
-        )  # fmt: skip
+    def has_other(self, match: str, stamp: str) -> bool:
+        """Return whether a match has units of other content, without its stamp in their keys."""
+        return bool(self._rows(f"SELECT 1 {_OTHER}", (match, MATCH, f"/{stamp}/")))
+
+    def drop_other(self, match: str, stamp: str) -> None:
+        """Drop those units."""
+        self._write(f"DELETE {_OTHER}", match, MATCH, f"/{stamp}/")
 
     def add(self, key: str, result: Any, **about: Any) -> Unit:
         """Keep what came of a unit, before anything is said of it.

@@ -6,6 +6,7 @@ import json
 import re
 import sys
 from collections.abc import Callable, Container, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from procc_annotator.batch.tracking import TRACK, UNREADABLE, TrackUnit
 from procc_annotator.batch.unit_store import (
     DONE,
     FAILED,
+    SOURCE,
     Unit,
     UnitStore,
     field_settings,
@@ -142,7 +144,7 @@ class TrackedMatches:
         url = remote_files.url_of(match.pictures)
         place = match.pictures if url else pictures.path.absolute()
         pixels = shown.pixels or with_dataset_pixels(shown, pictures.path).pixels
-        stamp = hex_digest(pictures.stamp(), field_settings(shown))[:16]
+        stamp = self._stamp(name, pictures)
         plan = track_match(
             MatchToTrack(
                 name, place, stamp, replace(shown, pixels=pixels), name, names,
@@ -152,8 +154,24 @@ class TrackedMatches:
             )
         )  # fmt: skip
         store.announce(name, frames=len(names))
-        store.keep_only(name, stamp)
+        if store.has_other(name, stamp):
+            echo(f"note: {name}: the pictures or the field changed: tracked anew", err=True)
+            store.drop_other(name, stamp)
         return plan
+
+    def _stamp(self, name: str, pictures: PictureSource) -> str:
+        return hex_digest(pictures.stamp(), field_settings(self.fields[name]))[:16]
+
+    def require_same(self, store: UnitStore) -> None:
+        """Raise UsageError if the units of a match of this name are of other pictures."""
+        for name, match in self.matches.items():
+            with suppress(InputError):  # of pictures that cannot be opened: said when tracked
+                there = match.pictures.exists() and open_pictures(match.pictures)
+                if there and store.has_other(name, self._stamp(name, there)):
+                    raise UsageError(
+                        f"{self._out}: holds {name} of other pictures or another field, from"
+                        f" {store.terms[SOURCE]}; choose another place, or --overwrite"
+                    )
 
     def is_kept(self, match: Match) -> bool:
         """Return whether a match that is done is left alone: its pictures would have to be fetched
@@ -214,11 +232,11 @@ class TrackedMatches:
     def on_frame(self, progress: Progress) -> Callable[[TrackedFrame], None]:
         """Show the progress of frames as they are followed, in this process."""
 
-        def followed(_: TrackedFrame) -> None:
-            self._frames += 1
-            progress(min(self._frames, self._total), self._total)
+        return lambda _: self._count(1, progress)
 
-        return followed
+    def _count(self, frames: int, progress: Progress) -> None:
+        self._frames, total = self._frames + frames, sum(map(len, self._names.values()))
+        progress(min(self._frames, total), total)
 
     def attempted(
         self, progress: Progress, in_process: bool, log: str, attempt: Attempt, kept: Unit
@@ -226,8 +244,7 @@ class TrackedMatches:
         """Print what came of a unit that was tried."""
         unit = attempt.unit
         if not in_process and unit.kind == TRACK:
-            self._frames += unit.frames
-            progress(min(self._frames, self._total), self._total)
+            self._count(unit.frames, progress)
         if log == "json":
             about = {name: getattr(kept, name) for name in _LOGGED}
             about |= {"time": kept.changed, "unit": kept.key, "seconds": attempt.seconds}
@@ -235,10 +252,6 @@ class TrackedMatches:
         elif attempt.error or not sys.stderr.isatty():
             what = attempt.error or f"{unit.frames} frames in {attempt.seconds:.1f} s"
             echo(f"{unit_words(kept)}: {what}", err=True)
-
-    @property
-    def _total(self) -> int:
-        return sum(map(len, self._names.values()))
 
 
 def unit_words(unit: Unit) -> str:
