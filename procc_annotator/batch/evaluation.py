@@ -82,7 +82,9 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         self.tagged = sum(frame.name in tags.values for frame in frames)
         used = {with_camera.name_there(frame.name) for frame in frames if frame.has_camera}
         self.unmatched_cameras = tuple(name for name in with_camera if name not in used)
-        self.notices = cameras.notices
+        unread = (name for name in with_camera.unreadable if name not in used)
+        notices = (f"{cameras.display(n)}: cannot be read (no frame annotated)" for n in unread)
+        self.notices = (*cameras.notices, *notices)
         self.tally = task.new_tally()
         self._require_cameras(annotations, cameras)
 

@@ -30,7 +30,6 @@ from procc_annotator.formats.cameras.collection import CameraCollection
 from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 from procc_annotator.formats.cameras.writers import OFFICIAL_SIZE
 from procc_annotator.formats.file_listing import ANNOTATIONS_FOLDER
-from procc_annotator.image.archive import is_archive_file
 from procc_annotator.messages import list_names, pluralize
 from procc_annotator.metrics.sets import most_distinct_views
 from procc_annotator.report.auto_annotation import Annotated as Done
@@ -197,7 +196,7 @@ def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) ->
 
 def _usual(pictures: PictureSource) -> Path:
     """Return where the window looks for annotations of these pictures."""
-    if pictures.is_video or is_archive_file(pictures.path):
+    if pictures.is_video or pictures.folder.is_file():  # an archive
         return annotations_beside(Match("", pictures.path))
     apart = pictures.folder / ANNOTATIONS_FOLDER
     return apart if holds_annotations(apart) else annotation_folder(pictures.folder)

@@ -231,7 +231,6 @@ class TrackedMatches:
 
     def on_frame(self, progress: Progress) -> Callable[[TrackedFrame], None]:
         """Show the progress of frames as they are followed, in this process."""
-
         return lambda _: self._count(1, progress)
 
     def _count(self, frames: int, progress: Progress) -> None:

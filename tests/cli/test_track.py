@@ -188,6 +188,8 @@ def test_annotations_beside_the_videos_of_a_season(cli, shot, video, whole, is_l
     shutil.rmtree(season / "b/match_frames")
     cli("calibrate", given, tmp_path / "fits")
     assert len(list((tmp_path / "fits/match").glob("camera_*.json"))) == 2
+    (out / "b/match.npz").write_bytes(b"PK, cut off")
+    assert "b/match.npz: cannot be read (no frame" in cli("evaluate", given, out).stderr
     for cameras in (out, out / "match.npz", tmp_path / "fits"):
         assert "2 frames, 2 with a camera" in cli("evaluate", given, cameras).stdout
 
