@@ -82,7 +82,9 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
         self.tagged = sum(frame.name in tags.values for frame in frames)
         used = {with_camera.name_there(frame.name) for frame in frames if frame.has_camera}
         self.unmatched_cameras = tuple(name for name in with_camera if name not in used)
-        self.notices = cameras.notices
+        unread = (name for name in with_camera.unreadable if name not in used)
+        notices = (f"{cameras.display(n)}: cannot be read (no frame annotated)" for n in unread)
+        self.notices = (*cameras.notices, *notices)
         self.tally = task.new_tally()
         self._require_cameras(annotations, cameras)
 
@@ -106,7 +108,7 @@ class EvaluationRun(SetRun[FrameFiles, T, Tally]):
             first = next(iter(cameras.frames))
             if instead := found_instead_of_cameras(cameras.path):
                 raise UsageError(f"nothing to do: no camera in {cameras.path}{instead}")
-            if cameras.path.is_file() and len(cameras.frames) == 1:
+            if len(cameras.frames) == 1:
                 cameras.read(first)  # of a file of many that cannot be read only this is known
             annotated, called = self.frames[0].name, cameras.frames.only_folder + first
             raise UsageError(

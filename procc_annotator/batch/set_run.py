@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from functools import partial
+from itertools import compress
 from pathlib import Path
 from typing import Any, Generic, NamedTuple, Protocol, TypeVar
 
@@ -99,10 +100,10 @@ class SetRun(Generic[F, R, S]):
             yield from self.executor.map(Work(self.task, chunks, frames_in_words))
             return
         keys = [self._digest(chunk) for chunk in chunks]
-        missing = (chunk for chunk, key in zip(chunks, keys, strict=True) if key not in kept)
-        made = iter(self.executor.map(Work(self.task, missing, frames_in_words)))
-        for chunk, key in zip(chunks, keys, strict=True):
-            if key not in kept:
+        missing = [key not in kept for key in keys]  # once: results come in this order
+        made = iter(self.executor.map(Work(self.task, compress(chunks, missing), frames_in_words)))
+        for chunk, key, is_missing in zip(chunks, keys, missing, strict=True):
+            if is_missing:
                 results, sums = next(made)
                 kept.add(key, results)
                 yield results, sums

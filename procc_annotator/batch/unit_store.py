@@ -11,7 +11,7 @@ import hashlib
 import sqlite3
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import closing, contextmanager, suppress
+from contextlib import ExitStack, closing, contextmanager, suppress
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import Any, NamedTuple, Self
@@ -111,6 +111,8 @@ class MatchUnits(NamedTuple):
 
 
 MATCH = "match"  # kind of the row that stands for the whole of one
+_PIECE = "rtrim(key, '0123456789abcdef')"  # of a shot, whatever anchors it was followed from
+_OTHER = "FROM units WHERE match = ? AND kind <> ? AND instr(key, ?) = 0"
 _COLUMNS = tuple(field.name for field in fields(Unit))
 
 
@@ -186,32 +188,36 @@ class UnitStore:
         return (Unit(*row) for row in self._rows(order, (state,)))
 
     def matches(self) -> list[MatchUnits]:
-        """The matches, in the order of their names."""
-        piece = "rtrim(key, '0123456789abcdef')"  # of a shot, whatever anchors it was followed from
-        tracked = "CASE WHEN kind = :match OR evidence IS NULL THEN 0 ELSE frames END"
+        """The matches, in the order of their names; of pieces of shots that were followed several
+        times the last time counts."""
+        last = f"changed = MAX(changed) OVER (PARTITION BY match, {_PIECE}, evidence IS NULL)"
+        tracked = "CASE WHEN kind = :match OR evidence IS NULL THEN 0 ELSE last * frames END"
         whole = "kind = :match AND state = :done"
         return [
             MatchUnits(*row)
             for row in self._rows(
                 "SELECT match, MAX(CASE WHEN kind = :match THEN state ELSE '' END),"
                 " SUM(CASE WHEN kind = :match THEN frames ELSE 0 END),"
-                f" COUNT(DISTINCT CASE WHEN kind <> :match AND state = :done THEN {piece} END),"
+                f" COUNT(DISTINCT CASE WHEN kind <> :match AND state = :done THEN {_PIECE} END),"
                 " SUM(kind <> :match AND state = :failed),"
                 f" SUM({tracked}),"
-                f" COALESCE(MAX(CASE WHEN {whole} THEN cameras END), SUM(cameras)), SUM(seconds),"
-                f" COALESCE(MAX(CASE WHEN {whole} THEN evidence END),"
+                f" COALESCE(MAX(CASE WHEN {whole} THEN cameras END), SUM(last * cameras)),"
+                f" SUM(seconds), COALESCE(MAX(CASE WHEN {whole} THEN evidence END),"
                 f" SUM(evidence * {tracked}) / SUM({tracked})),"
-                " MAX(changed) FROM units GROUP BY match ORDER BY match",
+                f" MAX(changed) FROM (SELECT {', '.join(_COLUMNS)}, {last} AS last FROM units)"
+                " GROUP BY match ORDER BY match",
                 {"match": MATCH, "done": DONE, "failed": FAILED},
             )
         ]
 
     def tracked_since(self, time_s: float) -> tuple[int, float]:
-        """Frames with evidence of units that were done since a time, and when the first was."""
+        """Frames of pieces first followed since a time, and when work on units done since began."""
         found = self._rows(
-            "SELECT SUM(frames), MIN(changed - seconds) FROM units"
-            " WHERE evidence IS NOT NULL AND kind <> ? AND changed > ?",
-            (MATCH, time_s),
+            "SELECT SUM(frames), (SELECT MIN(changed - seconds) FROM units"
+            " WHERE kind <> :match AND changed > :since) FROM (SELECT frames FROM units"
+            " WHERE evidence IS NOT NULL AND kind <> :match"
+            f" GROUP BY match, {_PIECE} HAVING MIN(changed) > :since)",
+            {"match": MATCH, "since": time_s},
         )
         return (found[0][0] or 0, found[0][1] or time_s) if found else (0, time_s)
 
@@ -221,12 +227,13 @@ class UnitStore:
             Unit(f"{match}/{MATCH}", match, MATCH, state, 0, changed=time.time(), **about), None
         )
 
-    def keep_only(self, match: str, stamp: str) -> None:
-        """Drop the units of other content of a match, whose keys do not have its stamp."""
-        self._write(
-            "DELETE FROM units WHERE match = ? AND kind <> ? AND instr(key, ?) = 0",
-            match, MATCH, f"/{stamp}/",
-        )  # fmt: skip
+    def has_other(self, match: str, stamp: str) -> bool:
+        """Return whether a match has units of other content, without its stamp in their keys."""
+        return bool(self._rows(f"SELECT 1 {_OTHER}", (match, MATCH, f"/{stamp}/")))
+
+    def drop_other(self, match: str, stamp: str) -> None:
+        """Drop those units."""
+        self._write(f"DELETE {_OTHER}", match, MATCH, f"/{stamp}/")
 
     def add(self, key: str, result: Any, **about: Any) -> Unit:
         """Keep what came of a unit, before anything is said of it.
@@ -324,12 +331,13 @@ class UnitStore:
 def only_run(folder: Path) -> Iterator[None]:
     """Hold the lock of a folder, made if needed; UsageError if another run has it."""
     make_folder(folder)
-    file = folder / ".track.lock"
-    with closing(sqlite3.connect(file, timeout=0)) as lock:  # given up when a process ends
-        try:
+    file = folder / ".run.lock"
+    with ExitStack() as opened:
+        try:  # the lock is given up when a process ends
+            lock = opened.enter_context(closing(sqlite3.connect(file, timeout=0)))
             lock.execute("BEGIN EXCLUSIVE")
         except sqlite3.OperationalError as error:
-            why = f"another run writes there ({error}); wait for its end, or choose another place"
+            why = f"another run writes there or it is read-only ({error}); wait, or write elsewhere"
             raise UsageError(f"{folder}: {why}") from error
         try:
             yield

@@ -22,7 +22,7 @@ from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.diagnostics import found_instead_of_cameras
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.layout import annotation_folder, folder_of_dataset, holds_annotations
-from procc_annotator.dataset.season import Match
+from procc_annotator.dataset.season import Match, annotations_beside
 from procc_annotator.dataset.sequence import PictureSource, open_pictures
 from procc_annotator.errors import CameraError, UsageError, require_existing
 from procc_annotator.formats.atomic import make_folder
@@ -41,7 +41,7 @@ them (match_000123), or a season (see track); cameras and OUT then have a folder
 Every element that a frame's camera shows is looked for in the picture; those whose paint is seen
 become an annotation in OUT, FRAME.json, SoccerNet JSON. OUT may be where the window looks for
 annotations: match/annotations (or match itself, where they lie beside the pictures), or
-match_frames beside match.mp4.
+match_frames beside match.mp4; those of a season go there if OUT is its folder.
 
 The points' provenance is "proposed": somebody should look at them. The workspace of the dataset
 remembers it, and that of OUT. A file of OUT is never replaced: frames that have one are passed
@@ -82,48 +82,35 @@ def annotate(
     require_existing(cameras)
 
     def of_match(match: Match) -> None:
-        own = replace(given, field=match.field or given.field)
         packed = place_of_match(cameras, Match(match.name or source.stem, source), PACKED_SUFFIX)
         if (theirs := packed or place_of_match(cameras, match)) is None:
             raise UsageError(f"no cameras called {match.name} in {cameras}")
-        places = match.pictures, out / match.name, theirs
-        _annotate(*places, own, every, views, camera_format, camera_size, workers, dask)
+        season = source if source.is_dir() else source.parent
+        is_beside = match.name and out.resolve() == season.resolve()
+        place = annotations_beside(match) if is_beside else out / match.name
+        own = replace(given, field=match.field or given.field)
+        shown = own.of(match.pictures)
+        pictures = open_pictures(match.pictures, place)
+        remarks.report_remarks(pictures.notices)
+        with CameraCollection.open(theirs, camera_format, field=shown) as collection:
+            outputs.check_is_folder(place)
+            outputs.check_folder_apart(place, [collection])
+            remarks.report_remarks(collection.notices)
+            chosen = _with_camera(pictures.frames[::every], collection, theirs)
+            if views is not None:
+                chosen = _most_different(chosen, collection, views)
+            frames = _not_annotated(chosen, pictures.annotated(place, shown, own.names(shown)))
+            run = AnnotationRun(frames, collection, shown, options.shown_size(camera_size))
+            done, folders, count = Done(), _workspaces(pictures, place), len(frames)
+            try:
+                with make_executor(workers, dask, frames=count, worth_from=WORTH_WORKERS) as who:
+                    run.executor = who
+                    annotate_pictures(run, frames, folders, with_progress, done)
+            except KeyboardInterrupt:
+                raise KeyboardInterrupt(_interrupted_message(done, count, place)) from None
+        raise typer.Exit(_report(done, len(chosen) - count, pictures, place))
 
     for_each_match(source, of_match)
-
-
-def _annotate(
-    source: Path,
-    out: Path,
-    cameras: Path,
-    given: options.FieldOptions,
-    every: int,
-    views: int | None,
-    camera_format: str,
-    camera_size: str | None,
-    workers: int | None,
-    dask: str | None,
-) -> None:
-    shown = given.of(source)
-    pictures = open_pictures(source, out)
-    remarks.report_remarks(pictures.notices)
-    with CameraCollection.open(cameras, camera_format, field=shown) as collection:
-        outputs.check_is_folder(out)
-        outputs.check_folder_apart(out, [collection])
-        remarks.report_remarks(collection.notices)
-        chosen = _with_camera(pictures.frames[::every], collection, cameras)
-        if views is not None:
-            chosen = _most_different(chosen, collection, views)
-        frames = _not_annotated(chosen, pictures.annotated(out, shown, given.names(shown)))
-        run = AnnotationRun(frames, collection, shown, options.shown_size(camera_size))
-        done = Done()
-        try:
-            with make_executor(workers, dask, frames=len(frames), worth_from=WORTH_WORKERS) as who:
-                run.executor = who
-                annotate_pictures(run, frames, _workspaces(pictures, out), with_progress, done)
-        except KeyboardInterrupt:
-            raise KeyboardInterrupt(_interrupted_message(done, len(frames), out)) from None
-    raise typer.Exit(_report(done, len(chosen) - len(frames), pictures, out))
 
 
 def _with_camera(
@@ -198,24 +185,19 @@ def _report(done: Done, passed_over: int, pictures: PictureSource, out: Path) ->
     if done.bare:
         echo(f"no paint found under the camera: {list_names(done.bare, 'frame')}")
     remarks.report_remarks(done.remarks)
-    if (looked := _window_annotation_folder(pictures, out)) is not None and done.frames:
+    if done.frames and not _is_usual(pictures, out) and holds_annotations(out):
         echo(
-            f"note: the window looks for annotations of {pictures.path} in {looked}; open these"
-            f" with --annotations {out}",
+            f"note: the window looks for annotations of {pictures.path} in {_usual(pictures)}; open"
+            f" these with --annotations {out}",
             err=True,
         )
     return remarks.report_unreadable([*pictures.problems, *done.errors])
 
 
-def _window_annotation_folder(pictures: PictureSource, out: Path) -> Path | None:
-    """Return where the window looks for annotations of these pictures, if that is not OUT."""
-    return None if _is_usual(pictures, out) or not holds_annotations(out) else _usual(pictures)
-
-
 def _usual(pictures: PictureSource) -> Path:
     """Return where the window looks for annotations of these pictures."""
-    if pictures.is_video:
-        return pictures.folder
+    if pictures.is_video or pictures.folder.is_file():  # an archive
+        return annotations_beside(Match("", pictures.path))
     apart = pictures.folder / ANNOTATIONS_FOLDER
     return apart if holds_annotations(apart) else annotation_folder(pictures.folder)
 

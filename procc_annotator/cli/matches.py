@@ -9,8 +9,9 @@ import typer
 
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.remarks import report_remarks
+from procc_annotator.dataset.layout import holds_annotations
 from procc_annotator.dataset.remote_files import remove_copies
-from procc_annotator.dataset.season import Match, list_matches
+from procc_annotator.dataset.season import Match, annotations_beside, list_matches
 from procc_annotator.errors import ProccError
 from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 
@@ -22,6 +23,13 @@ def place_of_match(root: Path | None, match: Match, *suffixes: str) -> Path | No
         return None
     wanted = suffixes or (PACKED_SUFFIX, "", ".zip")
     return next((own for end in wanted if (own := root / f"{match.name}{end}").exists()), None)
+
+
+def annotations_of_match(root: Path | None, match: Match) -> Path | None:
+    """The same of annotations; those next to the match's video, if the root is its season."""
+    own, season = annotations_beside(match), root if root is None or root.is_dir() else root.parent
+    is_own = match.name and season and own.resolve().is_relative_to(season.resolve())
+    return own if is_own and holds_annotations(own) else place_of_match(root, match)
 
 
 def for_each_match(source: Path, once: Callable[[Match], None]) -> None:

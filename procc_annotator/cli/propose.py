@@ -18,13 +18,13 @@ from procc_annotator.batch.camera_proposals import (
     read_positions,
 )
 from procc_annotator.batch.execution.executor import make_executor
-from procc_annotator.batch.unit_store import field_settings, unfinished_path
+from procc_annotator.batch.unit_store import field_settings, only_run, unfinished_path
 from procc_annotator.calibration.single_image.probability import POSSIBLE_FROM, SURE_FROM
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.cli import input_files, options, outputs, remarks
 from procc_annotator.cli.console import stdout_console, with_progress
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.matches import for_each_match, place_of_match
+from procc_annotator.cli.matches import annotations_of_match, for_each_match
 from procc_annotator.cli.resuming import is_resuming, resumable
 from procc_annotator.dataset.annotation_source import FrameAnnotations
 from procc_annotator.dataset.frames import Frame
@@ -145,13 +145,15 @@ def propose(given: ProposeOptions) -> None:
                 given,
                 dataset=match.pictures,
                 out=given.out / match.name,
-                annotations=place_of_match(given.annotations, match),
+                annotations=annotations_of_match(given.annotations, match),
                 field_options=field,
             ),
             packed=given.out if match.name else None,
         )
 
-    for_each_match(given.dataset, of_match)
+    outputs.check_is_folder(given.out)
+    with only_run(given.out):
+        for_each_match(given.dataset, of_match)
 
 
 def _propose(given: ProposeOptions, *, packed: Path | None) -> None:

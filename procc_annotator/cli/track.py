@@ -144,9 +144,9 @@ def track(
     store_file = out / STORE_FILE
     if url != out:
         echo(f"note: {store_file} is uploaded at the end", err=True)
-    if not overwrite:
-        _require_free(out, matches, store_file)
     terms = {SOURCE: remote_files.url_of(source) or str(source.absolute())}
+    if not overwrite:
+        _require_free(out, tracking, store_file, terms[SOURCE])
     with (
         ExitStack() as at_end,
         only_run(out),
@@ -170,15 +170,9 @@ def track(
 
 
 def _track_matches(
-    tracking: TrackedMatches,
-    store: UnitStore,
-    executor: Executor,
-    progress: Progress,
-    only: str,
-    log: str,
-    has_anchors: bool,
-    out: Path,
-) -> None:
+    tracking: TrackedMatches, store: UnitStore, executor: Executor, progress: Progress, only: str,
+    log: str, has_anchors: bool, out: Path,
+) -> None:  # fmt: skip
     """Track the matches that are left, and write each to OUT, which may be a URL, when it is
     done."""
     store.restart(
@@ -210,13 +204,15 @@ def _track_matches(
         ) from None
 
 
-def _require_free(out: Path, matches: tuple[Match, ...], store_file: Path) -> None:
-    """UsageError where OUT holds cameras that no run of this command left."""
+def _require_free(out: Path, tracking: TrackedMatches, store_file: Path, source: str) -> None:
+    """UsageError where OUT holds cameras of other pictures, or that no run of this command left."""
     if store_file.exists():
+        with UnitStore.read(store_file) as store:
+            if store.terms.get(SOURCE) != source:
+                tracking.require_same(store)
         return
-    names = [match.name for match in matches]
-    packed = any((out / f"{name}{PACKED_SUFFIX}").exists() for name in names)
-    if packed or outputs.holds_cameras(out, names):
+    names = list(tracking.matches)
+    if any(tracking.path(name).exists() for name in names) or outputs.holds_cameras(out, names):
         raise UsageError(
             f"{out}: holds cameras but no {STORE_FILE}; choose another place, or --overwrite to"
             " replace them"

@@ -6,6 +6,7 @@ import json
 import re
 import sys
 from collections.abc import Callable, Container, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from procc_annotator.batch.tracking import TRACK, UNREADABLE, TrackUnit
 from procc_annotator.batch.unit_store import (
     DONE,
     FAILED,
+    SOURCE,
     Unit,
     UnitStore,
     field_settings,
@@ -34,7 +36,7 @@ from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.cli import options, remarks
 from procc_annotator.cli.console import stdout_console
 from procc_annotator.cli.echo import echo
-from procc_annotator.cli.matches import place_of_match
+from procc_annotator.cli.matches import annotations_of_match, place_of_match
 from procc_annotator.dataset import remote_files
 from procc_annotator.dataset.dataset_field import with_dataset_pixels
 from procc_annotator.dataset.season import Match
@@ -64,17 +66,17 @@ class Anchors:
     camera_size: tuple[int, int] | None
     by_match: bool
 
-    def place(self, root: Path | None, match: Match) -> Path | None:
+    def annotations_of(self, match: Match) -> Path | None:
         """Return where those of a match are, if there are any."""
-        return place_of_match(root, match) if self.by_match else root
+        return annotations_of_match(self.annotations, match) if self.by_match else self.annotations
 
     def of(
         self, match: Match, pictures: PictureSource, shown: Field, given: options.FieldOptions
     ) -> TrackAnchors:
         """The anchors of a match; remarks on them are printed."""
         found = TrackAnchors()
-        annotations = self.place(self.annotations, match)
-        cameras = self.place(self.cameras, match)
+        annotations = self.annotations_of(match)
+        cameras = place_of_match(self.cameras, match) if self.by_match else self.cameras
         if annotations is not None:
             clicked = pictures.annotated(annotations, shown, given.names(shown))
             remarks.report_remarks(clicked.notices)
@@ -133,8 +135,7 @@ class TrackedMatches:
     def begin(self, store: UnitStore, name: str) -> Plan[TrackedMatch]:
         """The plan of a match, of which the store notes how many frames it has."""
         match, shown = self.matches[name], self.fields[name]
-        annotations = self._anchors.place(self._anchors.annotations, match)
-        pictures = open_pictures(match.pictures, annotations)
+        pictures = open_pictures(match.pictures, self._anchors.annotations_of(match))
         remarks.report_remarks(pictures.notices)
         self.problems += pictures.problems
         anchors = self._anchors.of(match, pictures, shown, self._given)
@@ -143,7 +144,7 @@ class TrackedMatches:
         url = remote_files.url_of(match.pictures)
         place = match.pictures if url else pictures.path.absolute()
         pixels = shown.pixels or with_dataset_pixels(shown, pictures.path).pixels
-        stamp = hex_digest(pictures.stamp(), field_settings(shown))[:16]
+        stamp = self._stamp(name, pictures)
         plan = track_match(
             MatchToTrack(
                 name, place, stamp, replace(shown, pixels=pixels), name, names,
@@ -153,8 +154,24 @@ class TrackedMatches:
             )
         )  # fmt: skip
         store.announce(name, frames=len(names))
-        store.keep_only(name, stamp)
+        if store.has_other(name, stamp):
+            echo(f"note: {name}: the pictures or the field changed: tracked anew", err=True)
+            store.drop_other(name, stamp)
         return plan
+
+    def _stamp(self, name: str, pictures: PictureSource) -> str:
+        return hex_digest(pictures.stamp(), field_settings(self.fields[name]))[:16]
+
+    def require_same(self, store: UnitStore) -> None:
+        """Raise UsageError if the units of a match of this name are of other pictures."""
+        for name, match in self.matches.items():
+            with suppress(InputError):  # of pictures that cannot be opened: said when tracked
+                there = match.pictures.exists() and open_pictures(match.pictures)
+                if there and store.has_other(name, self._stamp(name, there)):
+                    raise UsageError(
+                        f"{self._out}: holds {name} of other pictures or another field, from"
+                        f" {store.terms[SOURCE]}; choose another place, or --overwrite"
+                    )
 
     def is_kept(self, match: Match) -> bool:
         """Return whether a match that is done is left alone: its pictures would have to be fetched
@@ -214,12 +231,11 @@ class TrackedMatches:
 
     def on_frame(self, progress: Progress) -> Callable[[TrackedFrame], None]:
         """Show the progress of frames as they are followed, in this process."""
+        return lambda _: self._count(1, progress)
 
-        def followed(_: TrackedFrame) -> None:
-            self._frames += 1
-            progress(min(self._frames, self._total), self._total)
-
-        return followed
+    def _count(self, frames: int, progress: Progress) -> None:
+        self._frames, total = self._frames + frames, sum(map(len, self._names.values()))
+        progress(min(self._frames, total), total)
 
     def attempted(
         self, progress: Progress, in_process: bool, log: str, attempt: Attempt, kept: Unit
@@ -227,8 +243,7 @@ class TrackedMatches:
         """Print what came of a unit that was tried."""
         unit = attempt.unit
         if not in_process and unit.kind == TRACK:
-            self._frames += unit.frames
-            progress(min(self._frames, self._total), self._total)
+            self._count(unit.frames, progress)
         if log == "json":
             about = {name: getattr(kept, name) for name in _LOGGED}
             about |= {"time": kept.changed, "unit": kept.key, "seconds": attempt.seconds}
@@ -236,10 +251,6 @@ class TrackedMatches:
         elif attempt.error or not sys.stderr.isatty():
             what = attempt.error or f"{unit.frames} frames in {attempt.seconds:.1f} s"
             echo(f"{unit_words(kept)}: {what}", err=True)
-
-    @property
-    def _total(self) -> int:
-        return sum(map(len, self._names.values()))
 
 
 def unit_words(unit: Unit) -> str:

@@ -108,7 +108,7 @@ class SeasonSource(OpenedSource):
         self.decoded = tuple(map(str, self._files.values()))
 
     def files(self) -> list[str]:
-        return list(self._files) if len({*map(os.path.dirname, self._files)}) == 1 else []
+        return []  # all are called by their paths
 
     def tree(self) -> list[str]:
         return list(self._files)

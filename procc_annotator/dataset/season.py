@@ -107,13 +107,14 @@ def annotated_matches(path: Path) -> list[tuple[Match, Path]]:
             return []
     elif not is_csv or b"video" not in read_head(path, 4096).partition(b"\n")[0]:  # points of VIA
         return []
-    found = []
-    for match in list_matches(path) or ():
-        is_folder = match.pictures.is_dir()
-        place = annotations_of(match.pictures) if is_folder else frames_folder(match.pictures)
-        if holds_annotations(place):
-            found.append((match, place))
-    return found
+    found = [(match, annotations_beside(match)) for match in list_matches(path) or ()]
+    return [(match, place) for match, place in found if holds_annotations(place)]
+
+
+def annotations_beside(match: Match) -> Path:
+    """Return where a match's own annotations belong."""
+    is_folder = match.pictures.is_dir()
+    return annotations_of(match.pictures) if is_folder else frames_folder(match.pictures)
 
 
 def _in_tree(root: Path) -> tuple[Match, ...] | None:

@@ -112,10 +112,12 @@ class ByFrame(dict[str, T]):
             folder in its path and without it.
         only_folder: the folder, with a slash at its end, that all files lie in while frames are
             called without it; a frame of a tree is found with it, too.
+        unreadable: files of many frames that cannot be read, for all frames of folders called so.
     """
 
     picture_folders: tuple[str, ...] = ()
     only_folder: str = ""
+    unreadable: tuple[str, ...] = ()
     _composed: tuple[int, dict[str, str]] | None = None
 
     def name_there(self, frame: str) -> str | None:
@@ -126,7 +128,8 @@ class ByFrame(dict[str, T]):
             composed, folder = (unicodedata.normalize("NFC", s) for s in (frame, self.only_folder))
             if composed.startswith(folder):
                 return self.name_there(composed.removeprefix(folder))
-        return self._beside_pictures(frame) if self.picture_folders else None
+        found = self._beside_pictures(frame) if self.picture_folders else None
+        return found or next((f for f in self.unreadable if frame.startswith(f"{f}/")), None)
 
     def called_in(self, others: ByFrame[D], frame: str) -> str | None:
         """Return how one of these frames is called among others, where either may be called without

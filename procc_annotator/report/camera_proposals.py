@@ -148,16 +148,16 @@ def _write_camera(one: Proposed, out: Path) -> str:
 
 
 def _write_packed(frames: Sequence[Proposed], out: Path, *, sure: bool) -> None:
-    """Write the cameras of frames that are sure, or that are not; a shot is not known."""
+    """Write the cameras that are sure, or those that are not; a shot is not known."""
+    own = ((one.name, one.proposal) for one in frames if one.is_sure == sure)
+    found = [(name, p) for name, p in own if p is not None and p.fit.camera is not None]
     tracked = [
-        TrackedFrame(n, "lost", "", p.fit if p and one.is_sure == sure else None,
-                     p.coverage if p else 0.0, p.residual_px if p else None, None,
-                     probability=p.probability if p else None)
-        for n, (one, p) in enumerate((one, one.proposal) for one in frames)
-    ]  # fmt: skip
-    names = tuple(one.name for one in frames)
+        TrackedFrame(n, "lost", "", p.fit, p.coverage, p.residual_px, None, "", None, p.probability)
+        for n, (_, p) in enumerate(found)
+    ]
+    names = tuple(name for name, _ in found)
     cameras = pack(tracked, names, names, np.full(len(names), np.nan))
-    _, states, reasons, *_ = zip(*(_row(one, "") for one in frames), strict=True)
+    states, reasons = (tuple(getattr(p, n) for _, p in found) for n in ("state", "reason"))
     cameras = replace(cameras, state=states, reason=reasons)
     make_folder(out.parent)
     write_atomic(out.with_name(out.name + PACKED_SUFFIX), cameras.encoded())

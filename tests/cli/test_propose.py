@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from procc_annotator import fit_camera, load_annotation
+from procc_annotator.batch.unit_store import only_run
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import KnownPosition, Proposal, ProposalState
 from procc_annotator.camera.models import PinholeCamera
@@ -196,6 +197,9 @@ def test_a_season_has_one_file_of_cameras_a_match(cli, bare, pretend, fits, tmp_
     pretend([*seen, KeyboardInterrupt()])
     cli("propose", listed, out, code=130)
     assert not list(out.rglob("*.npz"))
+    with only_run(out):
+        for how in ((), ("--resume",), ("--overwrite",)):
+            assert "another run writes there" in cli("propose", listed, out, *how, code=2).stderr
     pretend([*[none()] * 3, *seen, *[none()] * 3])
     cli("propose", listed, out, "--resume")
     made = [f"{name}{end}" for name in ("a", "b/c") for end in (".npz", "/proposals.csv")]
@@ -205,7 +209,9 @@ def test_a_season_has_one_file_of_cameras_a_match(cli, bare, pretend, fits, tmp_
     assert sure.read("a/1").camera.position_world == fits["1"].camera.position_world
     assert list(CameraCollection.open(out / "unsure").frames) == ["a/2", "b/c/2"]
     found = read_packed((out / "b" / "c.npz").read_bytes(), "c.npz")
-    assert found.state == ("sure", "unsure", "none", "none", "none")
+    assert (found.frame, found.state) == (("1",), ("sure",))
+    unsure = read_packed((out / "unsure" / "a.npz").read_bytes(), "a.npz")
+    assert (unsure.frame, unsure.state) == (("2",), ("unsure",))
     assert "holds cameras" in cli("propose", listed, out, code=1).stderr
 
 

@@ -157,23 +157,40 @@ def test_a_season_is_the_matches_one_by_one(cli, video, cameras, whole, tmp_path
 @pytest.mark.parametrize("is_listed", [False, True])
 def test_annotations_beside_the_videos_of_a_season(cli, shot, video, whole, is_listed, tmp_path):
     """By the tree or by a list; the files of matches lie at several depths."""
-    season, out = tmp_path / "season", tmp_path / "out"
-    true = write_cameras(shot, tmp_path / "true")
+    season, out, true = tmp_path / "season", tmp_path / "out", tmp_path / "true"
     for name in ("match", "b/match"):
-        for folder in (season, out):
+        for folder in (season, out, true):
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        write_cameras(shot, true / name)
         shutil.copyfile(video, season / f"{name}.mp4")
         shutil.copyfile(whole / "match.npz", out / f"{name}.npz")
-        cli("annotate", season / f"{name}.mp4", season / f"{name}_frames", "--cameras", true)
     given = season / "season.csv" if is_listed else season
     if is_listed:
         given.write_text("video,match\nmatch.mp4,match\nb/match.mp4,b/match\n")
+    cli("annotate", given, season, "--cameras", true)
+    cli("track", given, tmp_path / "again", "--annotations", given)
+    assert tracked(tmp_path / "again", "b/match").state.count("anchor") == 2
     assert "Summary of 4 frames, 4 with a camera" in cli("evaluate", given, out).stdout
     assert "paint was not looked for" not in cli("check", given, "-o", tmp_path / "f.csv").stdout
     cli("report", given, "--cameras", f"t={out}", "-o", tmp_path / "report.json")
     assert f"b/match/{name_of(20)}" in (tmp_path / "report.json").read_text()
+    (out / "b/match.npz").write_bytes(b"PK, cut off")
+    for way in (("evaluate", given, out), ("report", given, "--cameras", f"t={out}")):
+        said = cli(*way, "-o", tmp_path / "of_rest.json", code=1).stderr
+        assert "unreadable: " in said
+        assert "b/match.npz" in said
+    shutil.move(out / "match.npz", out / "b/match.npz")  # the only one that was tracked so far
+    assert "4 frames, 2 with a camera" in cli("evaluate", given, out).stdout
+    (tmp_path / "points.csv").write_text(f"frame,x,y\nb/match/{name_of(5)},300,250\n")
+    done = cli("ground", tmp_path / "points.csv", "--cameras", out, "-o", tmp_path / "metres.csv")
+    assert "no camera" not in done.stderr
+    shutil.move(out / "b/match.npz", out / "match.npz")
     shutil.rmtree(season / "b/match_frames")
-    for cameras in (out, out / "match.npz"):
+    cli("calibrate", given, tmp_path / "fits")
+    assert len(list((tmp_path / "fits/match").glob("camera_*.json"))) == 2
+    (out / "b/match.npz").write_bytes(b"PK, cut off")
+    assert "b/match.npz: cannot be read (no frame" in cli("evaluate", given, out).stderr
+    for cameras in (out, out / "match.npz", tmp_path / "fits"):
         assert "2 frames, 2 with a camera" in cli("evaluate", given, cameras).stdout
 
 
@@ -362,23 +379,21 @@ def test_what_other_programs_left_is_not_replaced(cli, video, cameras, followed,
     assert (followed / "match.npz").read_bytes() == before
 
 
-def test_a_video_that_was_replaced_is_followed_again(
-    cli, pictures, followed, monkeypatch, tmp_path
+def test_a_copy_of_a_video_is_not_followed_again_one_that_was_replaced_is(
+    cli, video, pictures, cameras, followed, monkeypatch, tmp_path
 ):
+    """Other pictures of its name in another place are a match of another season."""
+    follow_by(monkeypatch, nothing_found)
+    copy, other = tmp_path / "match.mp4", tmp_path / "other/match.mp4"
+    cli("track", shutil.copyfile(video, copy), followed, "--cameras", cameras)
     frames = [decode_bgra(path) for path in sorted(pictures.iterdir())]
-    other = tmp_path / "match.mp4"
+    other.parent.mkdir()
     write_video(other, [*frames[CUT:], *frames[:CUT]])
-    follow_by(monkeypatch, nothing_found)
-    cli("track", other, followed)
-    assert set(tracked(followed).state) == {"lost"}
-
-
-def test_a_copy_of_a_video_is_not_followed_again(
-    cli, video, cameras, followed, monkeypatch, tmp_path
-):
-    follow_by(monkeypatch, nothing_found)
-    cli("track", shutil.copyfile(video, tmp_path / "match.mp4"), followed, "--cameras", cameras)
+    assert "holds match of other pictures" in cli("track", other, followed, code=2).stderr
     assert tracked(followed).has_camera.all()
+    other.replace(copy)
+    assert "note: match: the pictures" in cli("track", copy, followed).stderr
+    assert set(tracked(followed).state) == {"lost"}
 
 
 def lost(number: int, reason: str) -> TrackedFrame:

@@ -28,6 +28,7 @@ from procc_annotator.formats.cameras.loaded_camera import (
     field_mismatch,
     with_plausibility_remark,
 )
+from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 from procc_annotator.formats.cameras.paired_files import paired_records
 from procc_annotator.formats.cameras.registry import (
     PAIRED_FORMATS,
@@ -95,6 +96,7 @@ class CameraCollection:
         self._held_out = LeftOutTables(self._read_beside)
         self.shots: dict[str, str] = {}
         self._records: dict[str, CameraRecords] = {}
+        self._unreadable: list[str] = []
         files = list_cameras(source, fmt)
         self.frames: ByFrame[str] = files
         self.remarks = (*files.notices, *plugin_problems())
@@ -104,6 +106,7 @@ class CameraCollection:
             self._look_into(files)
         self.frames.picture_folders = PICTURE_FOLDERS
         self.frames.only_folder = self._only_folder() or files.only_folder
+        self.frames.unreadable = tuple(self._unreadable)
 
     @classmethod
     def open(
@@ -211,6 +214,8 @@ class CameraCollection:
                 if len(files) == 1 and (isinstance(error, PointsError) or named):
                     raise
                 if not format_of(file, self.format).always_many:
+                    if file.endswith(PACKED_SUFFIX):
+                        self._unreadable.append(own)
                     continue  # told when its frame is read
                 if len(files) == 1:
                     raise
@@ -218,8 +223,9 @@ class CameraCollection:
                 self.remarks = (*self.remarks, f"passed over: {error}")
                 continue
             if records is not None:
-                several = len(files) > 1 and records.shots  # one file a match
-                found[file] = records.below(own if several else own.rpartition("/")[0])
+                folder = own if len(files) > 1 else ""
+                # One file a match, whose frames are called by its path.
+                found[file] = records.below(folder if records.shots else own.rpartition("/")[0])
         if not any("/" in own for own in files):
             found = _by_folders(found)
         if found or left_out:

@@ -69,6 +69,22 @@ def test_results_of_another_field_are_not_gone_on_with(tmp_path, change):
         UnitStore(file, {"field": field_settings(change(field))}, resume=True)
 
 
+def test_a_piece_that_was_searched_twice_counts_once(tmp_path):
+    """Of a match that goes on: 30 frames on paint, 45 in which no camera was found, again."""
+    found = [("cuts/00-75", None, 75), ("track/00-30/a1", 0.9, 30), ("track/30-75/b2", 0.1, 45)]
+    with UnitStore(tmp_path / "track.sqlite", {}, resume=False) as store:
+        store.announce("m", frames=75)
+        for key, evidence, frames in [*found, ("track/30-75/c3", 0.0, 45)]:
+            about = {"kind": key.partition("/")[0], "seconds": 4.0, "evidence": evidence}
+            store.add(f"m/{key}", [], match="m", frames=frames, cameras=frames, **about)
+        (match,) = store.matches()
+        assert (match.tracked, match.cameras, match.seconds, match.done) == (75, 150, 16.0, 3)
+        assert match.evidence == pytest.approx(0.9 * 30 / 75)
+        frames, since = store.tracked_since(0.0)
+        assert frames == 75
+        assert since < match.changed - 3.9
+
+
 def test_what_no_fit_looks_at_keeps_no_run_from_going_on():
     noted = field_with(replace(SEAT, note="row 12", colour="#ff0000"), BALL)
     assert field_settings(noted) == field_settings(field_with(SEAT, BALL))
