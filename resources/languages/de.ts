@@ -209,9 +209,9 @@
   <message numerus="yes">
    <source>{title} has {n} points: {least} points needed for a curve</source>
    <extracomment>{title} has {n} point: {least} points needed for a curve / {title} has {n} points: {least} points needed for a curve [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{title} hat {n} Punkt: eine Kurve braucht {least}</numerusform>
+    <numerusform>{title} hat {n} Punkte: eine Kurve braucht {least}</numerusform>
    </translation>
   </message>
   <message>
@@ -274,7 +274,7 @@
   <message>
    <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>seine Punkte auf die Linie setzen</translation>
   </message>
   <message>
    <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
@@ -284,22 +284,22 @@
   <message>
    <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} ist gebogen: zwischen den Punkten liegt die Linie bis zu {px:.0f} px daneben. R lässt die Punkte ihr folgen</translation>
   </message>
   <message>
    <source>one end of {title} is {px:.0f} px off the line. Move it onto the paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ein Ende von {title} liegt {px:.0f} px neben der Linie. Setzen Sie es auf die Farbe</translation>
   </message>
   <message>
    <source>{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends? Press R</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{percent:.0f} % von {title} liegen nicht auf Farbe (längste Lücke {px:.0f} px). Linie gebogen? R drücken</translation>
   </message>
   <message>
    <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ein Ende von {title} liegt nicht auf Farbe</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -364,12 +364,12 @@
   <message>
    <source>{name} is {px:.0f} px off its line, and {more} more are off theirs</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} liegt {px:.0f} px neben seiner Linie, {more} weitere ebenso</translation>
   </message>
   <message>
    <source>{name} is {px:.0f} px off its line</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} liegt {px:.0f} px neben seiner Linie</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -483,37 +483,37 @@
   <message>
    <source>a different view fits almost as well</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>eine andere Ansicht passt fast ebenso gut</translation>
   </message>
   <message>
    <source>expected lines are missing</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>erwartete Linien fehlen</translation>
   </message>
   <message>
    <source>some lines in the picture do not match the field</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>manche Linien im Bild passen nicht zum Feld</translation>
   </message>
   <message>
    <source>too few lines in view</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>zu wenige Linien im Bild</translation>
   </message>
   <message>
    <source>unusual camera position</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ungewöhnliche Kameraposition</translation>
   </message>
   <message>
    <source>the visible lines do not determine the camera</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>die sichtbaren Linien bestimmen die Kamera nicht</translation>
   </message>
   <message>
    <source>{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{lines:.0f} % der erwarteten Linien gefunden, {paint:.0f} % der sichtbaren Farbe zugeordnet</translation>
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -523,12 +523,12 @@
   <message>
    <source>no camera fits the lines (best: {shares})</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>keine Kamera passt zu den Linien (beste: {shares})</translation>
   </message>
   <message>
    <source>the picture is nearly square: its pixels may not be</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>das Bild ist fast quadratisch: seine Pixel sind es vielleicht nicht</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -777,19 +777,19 @@
    <source>camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Kamera falsch</translation>
   </message>
   <message>
    <source>labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotation falsch</translation>
   </message>
   <message>
    <source>OK</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>OK</translation>
   </message>
   <message>
    <source>taken back</source>
@@ -1058,15 +1058,15 @@
   <message numerus="yes">
    <source>kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on</source>
    <extracomment>kept {n} click of {title} on {frame}, unfinished: choose it there to go on / kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} Klick von {title} auf {frame} ist unfertig aufgehoben: dort wählen, um weiterzumachen</numerusform>
+    <numerusform>{n} Klicks von {title} auf {frame} sind unfertig aufgehoben: dort wählen, um weiterzumachen</numerusform>
    </translation>
   </message>
   <message>
    <source>finished {title}</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} beendet</translation>
   </message>
   <message>
    <source>How good the fitted camera is</source>
@@ -1164,7 +1164,7 @@
   <message>
    <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Keine Kamera gefunden: {why}. Zeichnen Sie zuerst 3 Elemente, von denen zwei sich treffen</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1408,7 +1408,7 @@
   <message>
    <source>Another element…</source>
    <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Anderes Element…</translation>
   </message>
   <message>
    <source>Leave it unnamed</source>
@@ -1736,14 +1736,14 @@ Verliert {loses}.</translation>
   <message>
    <source>Save copies to</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Kopien sichern in</translation>
   </message>
   <message numerus="yes">
    <source>copied {n:,} frames to {folder}; they are not saved in their own place yet</source>
    <extracomment>copied {n:,} frame to {folder}; it is not saved in its own place yet / copied {n:,} frames to {folder}; they are not saved in their own place yet [procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} Bild nach {folder} kopiert; am eigenen Ort ist es noch nicht gespeichert</numerusform>
+    <numerusform>{n:,} Bilder nach {folder} kopiert; am eigenen Ort sind sie noch nicht gespeichert</numerusform>
    </translation>
   </message>
   <message>
@@ -1802,7 +1802,7 @@ Verliert {loses}.</translation>
   <message>
    <source>everything is saved in its own place</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>alles ist am eigenen Ort gespeichert</translation>
   </message>
   <message>
    <source>no camera to save: {why}</source>
@@ -2080,7 +2080,7 @@ Verliert {loses}.</translation>
   <message>
    <source>{place} of {total}, the least sure first</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{place} von {total}, unsicherste zuerst</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>
@@ -2115,7 +2115,7 @@ Verliert {loses}.</translation>
   <message>
    <source>no other frame is unsure</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>kein anderes Bild ist unsicher</translation>
   </message>
   <message>
    <source>these frames do not follow one another</source>
@@ -2185,7 +2185,7 @@ Verliert {loses}.</translation>
   <message>
    <source>skipped (under {least:.0%} visible): {ghosts}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>übergangen (weniger als {least:.0%} sichtbar): {ghosts}</translation>
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -2282,7 +2282,7 @@ Verliert {loses}.</translation>
   <message>
    <source>no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>kein Geist angenommen, weniger als {least:.0%} der Linie sichtbar: {ghosts}; Tab geht sie durch</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -2985,7 +2985,7 @@ Verliert {loses}.</translation>
   <message>
    <source>the shot is still being followed: wait for its end, or stop it (T), then accept</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>die Einstellung wird noch verfolgt: warten Sie das Ende ab oder halten Sie an (T), dann annehmen</translation>
   </message>
   <message>
    <source>no frame to accept: all that were followed are annotated</source>
@@ -2995,7 +2995,7 @@ Verliert {loses}.</translation>
   <message>
    <source>every frame is annotated</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>jedes Bild ist annotiert</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
@@ -3013,14 +3013,14 @@ Verliert {loses}.</translation>
   <message>
    <source>finding line points: {done} of {total} frames  ·  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Linienpunkte werden gesucht: {done} von {total} Bildern  ·  Esc hält an</translation>
   </message>
   <message numerus="yes">
    <source>annotated {n:,} frames</source>
    <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} Bild annotiert</numerusform>
+    <numerusform>{n:,} Bilder annotiert</numerusform>
    </translation>
   </message>
   <message>
@@ -3031,9 +3031,9 @@ Verliert {loses}.</translation>
   <message numerus="yes">
    <source>taken back: {n:,} annotated frames</source>
    <extracomment>taken back: {n:,} annotated frame / taken back: {n:,} annotated frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>zurückgenommen: {n:,} annotiertes Bild</numerusform>
+    <numerusform>zurückgenommen: {n:,} annotierte Bilder</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -3047,12 +3047,12 @@ Verliert {loses}.</translation>
   <message>
    <source>finding line points …  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Linienpunkte werden gesucht …  Esc hält an</translation>
   </message>
   <message>
    <source>no frame was annotated: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>kein Bild annotiert: zu wenig ihrer Linien ist zu sehen</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
@@ -3082,14 +3082,14 @@ Verliert {loses}.</translation>
   <message>
    <source>no frame was annotated: no camera is sure</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>kein Bild annotiert: keine Kamera ist sicher</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first</source>
    <extracomment>{n:,} frame is not sure: Alt+PgDown shows it / {n:,} frames are not sure: Alt+PgDown goes through them, the least sure first [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} Bild ist nicht sicher: Alt+Bild ab zeigt es</numerusform>
+    <numerusform>{n:,} Bilder sind nicht sicher: Alt+Bild ab geht sie durch, unsicherste zuerst</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -3232,7 +3232,7 @@ Verliert {loses}.</translation>
   <message>
    <source>mark the frame first: camera wrong, labels wrong or fine</source>
    <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>urteilen Sie zuerst über das Bild: Kamera falsch, Annotation falsch oder OK</translation>
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
@@ -3805,7 +3805,7 @@ Verliert {loses}.</translation>
   <message>
    <source>Save copies to…</source>
    <extracomment>[procc_annotator/gui/messages.py, the action save_copies]</extracomment>
-   <translation type="unfinished" />
+   <translation>Kopien sichern in…</translation>
   </message>
   <message>
    <source>Copy details</source>
@@ -3815,7 +3815,7 @@ Verliert {loses}.</translation>
   <message>
    <source>Show the next</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nächstes zeigen</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -3825,20 +3825,20 @@ Verliert {loses}.</translation>
   <message numerus="yes">
    <source>{n} comments on this frame are not settled.</source>
    <extracomment>{n} comment on this frame is not settled. / {n} comments on this frame are not settled. [procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} Kommentar zu diesem Bild ist nicht erledigt.</numerusform>
+    <numerusform>{n} Kommentare zu diesem Bild sind nicht erledigt.</numerusform>
    </translation>
   </message>
   <message>
    <source>A tick in the Review panel settles a comment.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ein Häkchen im Bereich „Durchsicht“ erledigt einen Kommentar.</translation>
   </message>
   <message>
    <source>{n:,} of {total:,} frames are not done.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{n:,} von {total:,} Bildern sind nicht fertig.</translation>
   </message>
   <message numerus="yes">
    <source>{n} frames are not saved, and saving failed again just now.</source>
@@ -3861,12 +3861,12 @@ Verliert {loses}.</translation>
   <message>
    <source>Export all</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Alle exportieren</translation>
   </message>
   <message>
    <source>Done only</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nur fertige</translation>
   </message>
   <message>
    <source>Dismiss this message</source>
@@ -3906,7 +3906,7 @@ Verliert {loses}.</translation>
   <message>
    <source>Do not approve</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nicht freigeben</translation>
   </message>
   <message>
    <source>Approve</source>
@@ -4281,7 +4281,7 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
   <message>
    <source>none judged</source>
    <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>keine beurteilen</translation>
   </message>
   <message>
    <source>several models</source>
@@ -4332,7 +4332,8 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
    <source>No cameras loaded.
 Load a folder of camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Keine Kameras geladen.
+Laden Sie einen Ordner mit Kameradateien oder Homographien, um sie an Ihren Klicks gemessen zu sehen.</translation>
   </message>
   <message>
    <source>Load folder…</source>
@@ -4580,22 +4581,22 @@ Klasse in Dateien: {name}</translation>
   <message>
    <source>far</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>fern</translation>
   </message>
   <message>
    <source>right</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>rechts</translation>
   </message>
   <message>
    <source>near</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>nah</translation>
   </message>
   <message>
    <source>left</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>links</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
@@ -4605,7 +4606,7 @@ Klasse in Dateien: {name}</translation>
   <message>
    <source>Click an element</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Element anklicken</translation>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
@@ -4615,7 +4616,7 @@ Klasse in Dateien: {name}</translation>
   <message>
    <source>Show all frames</source>
    <extracomment>[procc_annotator/gui/panels/film_strip.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Alle Bilder zeigen</translation>
   </message>
   <message>
    <source>Error</source>
@@ -4660,7 +4661,7 @@ Open a folder of pictures to check their labels.</source>
   <message>
    <source>No problems so far.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Bisher keine Probleme.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
@@ -4678,12 +4679,12 @@ Open a folder of pictures to check their labels.</source>
   <message>
    <source>The live fit is off: the full check needs it.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Die laufende Anpassung ist aus: die volle Prüfung braucht sie.</translation>
   </message>
   <message>
    <source>Full check needs a camera: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Die volle Prüfung braucht eine Kamera: {why}.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
@@ -5629,12 +5630,12 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>This frame is right (Ctrl+Shift+A)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Dieses Bild ist richtig (Strg+Umschalt+A)</translation>
   </message>
   <message>
    <source>Send it back (Ctrl+Shift+X)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Zurückgeben (Strg+Umschalt+X)</translation>
   </message>
   <message>
    <source>Reject</source>
@@ -5674,9 +5675,9 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message numerus="yes">
    <source>to be confirmed (Shift+V): {n:,} elements</source>
    <extracomment>to be confirmed (Shift+V): {n:,} element / to be confirmed (Shift+V): {n:,} elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>zu bestätigen (Umschalt+V): {n:,} Element</numerusform>
+    <numerusform>zu bestätigen (Umschalt+V): {n:,} Elemente</numerusform>
    </translation>
   </message>
   <message>
@@ -5758,13 +5759,13 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Kamera falsch</translation>
   </message>
   <message>
    <source>Labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotation falsch</translation>
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
@@ -5881,7 +5882,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>Verdict</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Urteil</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -6000,7 +6001,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>choose the camera to judge first (C)</source>
    <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>wählen Sie zuerst die Kamera, die beurteilt wird (C)</translation>
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -6240,7 +6241,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>{folder} cannot be written: what is annotated here has to be saved elsewhere (File &gt; Save copies to…)</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{folder} ist nicht beschreibbar: Annotationen müssen anderswo gespeichert werden (Datei &gt; Kopien sichern in…)</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
@@ -6265,7 +6266,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>the filter shows no further frame this way</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>der Filter zeigt in dieser Richtung kein weiteres Bild</translation>
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
@@ -6393,7 +6394,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>Enter runs it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Eingabe führt aus · ↑ ↓ wählt · Esc schließt</translation>
   </message>
   <message>
    <source>Panel</source>
@@ -6665,7 +6666,7 @@ Kalibrierungen von Sportkameras mit dem ProCC-Protokoll annotieren und prüfen.<
   <message>
    <source>Default keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Standardtasten</translation>
   </message>
   <message>
    <source>Import…</source>
@@ -6896,7 +6897,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>JaC – {why}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC – {why}</translation>
   </message>
   <message>
    <source>What the score is computed with: {terms}</source>
@@ -6939,12 +6940,12 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC {jac:.3f} der Anpassung</translation>
   </message>
   <message>
    <source>blind: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>blind: abgeben, um den JaC zu sehen</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -6959,7 +6960,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Annotations are read from and saved as JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotationen werden als JSON neben den Bildern gelesen und gespeichert. Ein Ordner mit Kameras, später hierher gezogen, wird an Ihren Klicks gemessen.</translation>
   </message>
   <message>
    <source>Open recent</source>
@@ -7019,7 +7020,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Reset all</source>
    <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Alle zurücksetzen</translation>
   </message>
   <message>
    <source>none of your own</source>
@@ -7179,12 +7180,12 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>click to draw; choose its class afterwards</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>klicken, um zu zeichnen; die Klasse danach wählen</translation>
   </message>
   <message>
    <source>Backspace removes the last point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Rücktaste entfernt den letzten Punkt</translation>
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
@@ -7199,7 +7200,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>click or drag a point, drag elsewhere to select several</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Punkt klicken oder ziehen, anderswo ziehen wählt mehrere</translation>
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7270,7 +7271,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>/ finds an element</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>/ sucht ein Element</translation>
   </message>
   <message>
    <source>DRAW</source>
@@ -7293,7 +7294,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Enter or double-click finishes, then choose the class</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Eingabe oder Doppelklick beendet, dann die Klasse wählen</translation>
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
@@ -7349,7 +7350,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>click starts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Klick beginnt es</translation>
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
@@ -7364,9 +7365,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message numerus="yes">
    <source>Esc deselects {n} points</source>
    <extracomment>Esc deselects the point / Esc deselects {n} points [procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Esc hebt die Auswahl des Punkts auf</numerusform>
+    <numerusform>Esc hebt die Auswahl von {n} Punkten auf</numerusform>
    </translation>
   </message>
   <message>
@@ -7377,7 +7378,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>release selects all points inside</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Loslassen wählt alle Punkte darin</translation>
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
@@ -7412,7 +7413,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>click a point to drag it, elsewhere to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Punkt anklicken, um ihn zu ziehen, anderswo klicken hebt die Auswahl auf</translation>
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
@@ -7425,7 +7426,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>click draws it by hand</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Klick zeichnet es von Hand</translation>
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
@@ -7438,7 +7439,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>no line found along it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>keine Linie darauf gefunden</translation>
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7473,7 +7474,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>hold Ctrl: no snapping</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Strg halten: kein Einrasten</translation>
   </message>
   <message>
    <source>Delete removes {title}</source>
@@ -7511,7 +7512,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Esc removes the new point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Esc entfernt den neuen Punkt</translation>
   </message>
   <message>
    <source>Esc lets go</source>
@@ -7726,7 +7727,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Write what could not be saved in its own place to another folder</source>
    <extracomment>[the action save_copies]</extracomment>
-   <translation type="unfinished" />
+   <translation>In einen anderen Ordner schreiben, was sich am eigenen Ort nicht speichern ließ</translation>
   </message>
   <message>
    <source>Import annotations…</source>
@@ -7751,12 +7752,12 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Export annotations as JSON…</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotationen als JSON exportieren…</translation>
   </message>
   <message>
    <source>Write the annotations of all frames as a folder or zip of JSON files</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation type="unfinished" />
+   <translation>Die Annotationen aller Bilder als Ordner oder Zip mit JSON-Dateien schreiben</translation>
   </message>
   <message>
    <source>Export JaC of the set…</source>
@@ -8016,7 +8017,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Show the next picture, of those that the filter shows</source>
    <extracomment>[the action next_frame]</extracomment>
-   <translation type="unfinished" />
+   <translation>Das nächste Bild zeigen, unter denen, die der Filter zeigt</translation>
   </message>
   <message>
    <source>Previous frame</source>
@@ -8026,7 +8027,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Show the previous picture, of those that the filter shows</source>
    <extracomment>[the action previous_frame]</extracomment>
-   <translation type="unfinished" />
+   <translation>Das vorige Bild zeigen, unter denen, die der Filter zeigt</translation>
   </message>
   <message>
    <source>Next unfinished</source>
@@ -8191,17 +8192,17 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Annotate all that is sure</source>
    <extracomment>[the action annotate_sure]</extracomment>
-   <translation type="unfinished" />
+   <translation>Alles Sichere annotieren</translation>
   </message>
   <message>
    <source>Annotate every frame of the dataset whose camera is found and sure, in one step; Next doubtful frame (Alt+PgDown) then goes through the others, the least sure first</source>
    <extracomment>[the action annotate_sure]</extracomment>
-   <translation type="unfinished" />
+   <translation>Jedes Bild des Datensatzes, dessen Kamera gefunden und sicher ist, in einem Schritt annotieren; „Nächstes zweifelhaftes Bild“ (Alt+Bild ab) geht dann die übrigen durch, unsicherste zuerst</translation>
   </message>
   <message>
    <source>Take back what was accepted last</source>
    <extracomment>[the action take_back_stretch]</extracomment>
-   <translation type="unfinished" />
+   <translation>Zuletzt Angenommenes zurücknehmen</translation>
   </message>
   <message>
    <source>Frames that were accepted last and not edited since are as they were before</source>
@@ -8391,12 +8392,12 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Confirm all unconfirmed elements</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation type="unfinished" />
+   <translation>Alle unbestätigten Elemente bestätigen</translation>
   </message>
   <message>
    <source>Copied and unfinished elements count and are saved from now on</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation type="unfinished" />
+   <translation>Kopierte und unfertige Elemente zählen und werden ab jetzt gespeichert</translation>
   </message>
   <message>
    <source>Drop unconfirmed elements</source>
@@ -8406,7 +8407,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Remove copied and unfinished elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
-   <translation type="unfinished" />
+   <translation>Kopierte und unfertige Elemente entfernen, die nicht bearbeitet wurden</translation>
   </message>
   <message>
    <source>Regularise all elements</source>
@@ -8516,7 +8517,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Confirm element</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation type="unfinished" />
+   <translation>Element bestätigen</translation>
   </message>
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
@@ -8676,7 +8677,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>The ghost or the chosen element cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation type="unfinished" />
+   <translation>Der Geist oder das gewählte Element ist in diesem Bild nicht zu sehen; noch einmal nimmt es zurück</translation>
   </message>
   <message>
    <source>Take back “not visible here”</source>
@@ -8881,7 +8882,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>The field map has the side below that the camera stands on, and what the camera does not see is faint</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation type="unfinished" />
+   <translation>Auf der Feldkarte liegt die Seite unten, auf der die Kamera steht, und was sie nicht sieht, ist blass</translation>
   </message>
   <message>
    <source>Picture on the field map</source>
@@ -8901,22 +8902,22 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Below the picture: thumbnails of the frames, or the timeline of a video</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation type="unfinished" />
+   <translation>Unter dem Bild: Vorschaubilder oder die Zeitleiste eines Videos</translation>
   </message>
   <message>
    <source>List of frames</source>
    <extracomment>[the action frames_list]</extracomment>
-   <translation type="unfinished" />
+   <translation>Liste der Bilder</translation>
   </message>
   <message>
    <source>Show the frames with their names and a filter at the left, instead of the strip; once more closes the list</source>
    <extracomment>[the action frames_list]</extracomment>
-   <translation type="unfinished" />
+   <translation>Links die Bilder mit Namen und Filter zeigen, statt des Streifens; noch einmal schließt die Liste</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set, of all shown sources</source>
    <extracomment>[the action plots]</extracomment>
-   <translation type="unfinished" />
+   <translation>Fehler und JaC des Bildes oder des Satzes, für alle gezeigten Quellen</translation>
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -9176,7 +9177,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Camera wrong</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation type="unfinished" />
+   <translation>Kamera falsch</translation>
   </message>
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
@@ -9186,7 +9187,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Labels wrong</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotation falsch</translation>
   </message>
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
@@ -9196,7 +9197,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>OK</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation type="unfinished" />
+   <translation>OK</translation>
   </message>
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
@@ -9276,12 +9277,12 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Light, dark or system</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation type="unfinished" />
+   <translation>Hell, dunkel oder wie das System</translation>
   </message>
   <message>
    <source>System</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation type="unfinished" />
+   <translation>System</translation>
   </message>
   <message>
    <source>Light</source>
@@ -9296,12 +9297,12 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Text size</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation type="unfinished" />
+   <translation>Textgröße</translation>
   </message>
   <message>
    <source>Text size, % of system (after restart)</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation type="unfinished" />
+   <translation>Textgröße, % der Systemgröße (nach Neustart)</translation>
   </message>
   <message>
    <source>Language</source>
@@ -9311,7 +9312,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Language of the window (after restart); files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation type="unfinished" />
+   <translation>Sprache des Fensters (nach Neustart); Dateien bleiben, wie sie sind</translation>
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9321,12 +9322,12 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Author name</source>
    <extracomment>[the setting author]</extracomment>
-   <translation type="unfinished" />
+   <translation>Name des Autors</translation>
   </message>
   <message>
    <source>Author name (empty = login name)</source>
    <extracomment>[the setting author]</extracomment>
-   <translation type="unfinished" />
+   <translation>Name des Autors (leer = Anmeldename)</translation>
   </message>
   <message>
    <source>Judging</source>

@@ -209,9 +209,9 @@
   <message numerus="yes">
    <source>{title} has {n} points: {least} points needed for a curve</source>
    <extracomment>{title} has {n} point: {least} points needed for a curve / {title} has {n} points: {least} points needed for a curve [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{title} tiene {n} punto: una curva necesita {least}</numerusform>
+    <numerusform>{title} tiene {n} puntos: una curva necesita {least}</numerusform>
    </translation>
   </message>
   <message>
@@ -274,7 +274,7 @@
   <message>
    <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>poner sus puntos sobre la línea</translation>
   </message>
   <message>
    <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
@@ -284,22 +284,22 @@
   <message>
    <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} se curva: entre puntos, su línea se aparta hasta {px:.0f} px. Pulse R para seguirla</translation>
   </message>
   <message>
    <source>one end of {title} is {px:.0f} px off the line. Move it onto the paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un extremo de {title} está a {px:.0f} px de la línea. Póngalo sobre la pintura</translation>
   </message>
   <message>
    <source>{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends? Press R</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>el {percent:.0f} % de {title} no está sobre pintura (hueco mayor: {px:.0f} px). ¿Se curva la línea? Pulse R</translation>
   </message>
   <message>
    <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un extremo de {title} no está sobre pintura</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -364,12 +364,12 @@
   <message>
    <source>{name} is {px:.0f} px off its line, and {more} more are off theirs</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} está a {px:.0f} px de su línea, y otros {more} también</translation>
   </message>
   <message>
    <source>{name} is {px:.0f} px off its line</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} está a {px:.0f} px de su línea</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -483,37 +483,37 @@
   <message>
    <source>a different view fits almost as well</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>otra vista encaja casi igual de bien</translation>
   </message>
   <message>
    <source>expected lines are missing</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>faltan líneas esperadas</translation>
   </message>
   <message>
    <source>some lines in the picture do not match the field</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>algunas líneas de la imagen no corresponden al campo</translation>
   </message>
   <message>
    <source>too few lines in view</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>se ven demasiado pocas líneas</translation>
   </message>
   <message>
    <source>unusual camera position</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>posición de cámara inusual</translation>
   </message>
   <message>
    <source>the visible lines do not determine the camera</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>las líneas visibles no determinan la cámara</translation>
   </message>
   <message>
    <source>{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>hallado el {lines:.0f} % de las líneas esperadas, explicado el {paint:.0f} % de la pintura visible</translation>
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -523,12 +523,12 @@
   <message>
    <source>no camera fits the lines (best: {shares})</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ninguna cámara encaja con las líneas (la mejor: {shares})</translation>
   </message>
   <message>
    <source>the picture is nearly square: its pixels may not be</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>la imagen es casi cuadrada: sus píxeles quizá no lo sean</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -777,19 +777,19 @@
    <source>camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>cámara errónea</translation>
   </message>
   <message>
    <source>labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>anotación errónea</translation>
   </message>
   <message>
    <source>OK</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>OK</translation>
   </message>
   <message>
    <source>taken back</source>
@@ -1058,15 +1058,15 @@
   <message numerus="yes">
    <source>kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on</source>
    <extracomment>kept {n} click of {title} on {frame}, unfinished: choose it there to go on / kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>se conserva {n} clic de {title} en {frame}, sin terminar: elíjalo allí para continuar</numerusform>
+    <numerusform>se conservan {n} clics de {title} en {frame}, sin terminar: elíjalo allí para continuar</numerusform>
    </translation>
   </message>
   <message>
    <source>finished {title}</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} terminado</translation>
   </message>
   <message>
    <source>How good the fitted camera is</source>
@@ -1164,7 +1164,7 @@
   <message>
    <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>No se halló cámara: {why}. Dibuje primero 3 elementos, dos de ellos que se crucen</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1408,7 +1408,7 @@
   <message>
    <source>Another element…</source>
    <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Otro elemento…</translation>
   </message>
   <message>
    <source>Leave it unnamed</source>
@@ -1736,14 +1736,14 @@ Pierde {loses}.</translation>
   <message>
    <source>Save copies to</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Guardar copias en</translation>
   </message>
   <message numerus="yes">
    <source>copied {n:,} frames to {folder}; they are not saved in their own place yet</source>
    <extracomment>copied {n:,} frame to {folder}; it is not saved in its own place yet / copied {n:,} frames to {folder}; they are not saved in their own place yet [procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} imagen copiada a {folder}; aún no está guardada en su lugar</numerusform>
+    <numerusform>{n:,} imágenes copiadas a {folder}; aún no están guardadas en su lugar</numerusform>
    </translation>
   </message>
   <message>
@@ -1802,7 +1802,7 @@ Pierde {loses}.</translation>
   <message>
    <source>everything is saved in its own place</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>todo está guardado en su lugar</translation>
   </message>
   <message>
    <source>no camera to save: {why}</source>
@@ -2080,7 +2080,7 @@ Pierde {loses}.</translation>
   <message>
    <source>{place} of {total}, the least sure first</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{place} de {total}, las menos seguras primero</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>
@@ -2115,7 +2115,7 @@ Pierde {loses}.</translation>
   <message>
    <source>no other frame is unsure</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ninguna otra imagen es insegura</translation>
   </message>
   <message>
    <source>these frames do not follow one another</source>
@@ -2185,7 +2185,7 @@ Pierde {loses}.</translation>
   <message>
    <source>skipped (under {least:.0%} visible): {ghosts}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>omitidos (visible menos del {least:.0%}): {ghosts}</translation>
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -2282,7 +2282,7 @@ Pierde {loses}.</translation>
   <message>
    <source>no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>no se aceptó ningún fantasma, visible menos del {least:.0%} de la línea: {ghosts}; Tab los recorre</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -2985,7 +2985,7 @@ Pierde {loses}.</translation>
   <message>
    <source>the shot is still being followed: wait for its end, or stop it (T), then accept</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aún se está siguiendo el plano: espere a que termine o deténgalo (T) y luego acepte</translation>
   </message>
   <message>
    <source>no frame to accept: all that were followed are annotated</source>
@@ -2995,7 +2995,7 @@ Pierde {loses}.</translation>
   <message>
    <source>every frame is annotated</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>todas las imágenes están anotadas</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
@@ -3013,14 +3013,14 @@ Pierde {loses}.</translation>
   <message>
    <source>finding line points: {done} of {total} frames  ·  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>buscando puntos de línea: {done} de {total} imágenes  ·  Esc lo detiene</translation>
   </message>
   <message numerus="yes">
    <source>annotated {n:,} frames</source>
    <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} imagen anotada</numerusform>
+    <numerusform>{n:,} imágenes anotadas</numerusform>
    </translation>
   </message>
   <message>
@@ -3031,9 +3031,9 @@ Pierde {loses}.</translation>
   <message numerus="yes">
    <source>taken back: {n:,} annotated frames</source>
    <extracomment>taken back: {n:,} annotated frame / taken back: {n:,} annotated frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>retirado: {n:,} imagen anotada</numerusform>
+    <numerusform>retirado: {n:,} imágenes anotadas</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -3047,12 +3047,12 @@ Pierde {loses}.</translation>
   <message>
    <source>finding line points …  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>buscando puntos de línea …  Esc lo detiene</translation>
   </message>
   <message>
    <source>no frame was annotated: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>no se anotó ninguna imagen: se ve demasiado poco de sus líneas</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
@@ -3082,14 +3082,14 @@ Pierde {loses}.</translation>
   <message>
    <source>no frame was annotated: no camera is sure</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>no se anotó ninguna imagen: ninguna cámara es segura</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first</source>
    <extracomment>{n:,} frame is not sure: Alt+PgDown shows it / {n:,} frames are not sure: Alt+PgDown goes through them, the least sure first [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} imagen no es segura: Alt+Av Pág la muestra</numerusform>
+    <numerusform>{n:,} imágenes no son seguras: Alt+Av Pág las recorre, las menos seguras primero</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -3232,7 +3232,7 @@ Pierde {loses}.</translation>
   <message>
    <source>mark the frame first: camera wrong, labels wrong or fine</source>
    <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>dé primero un veredicto: cámara errónea, anotación errónea u OK</translation>
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
@@ -3805,7 +3805,7 @@ Pierde {loses}.</translation>
   <message>
    <source>Save copies to…</source>
    <extracomment>[procc_annotator/gui/messages.py, the action save_copies]</extracomment>
-   <translation type="unfinished" />
+   <translation>Guardar copias en…</translation>
   </message>
   <message>
    <source>Copy details</source>
@@ -3815,7 +3815,7 @@ Pierde {loses}.</translation>
   <message>
    <source>Show the next</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Mostrar la siguiente</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -3825,20 +3825,20 @@ Pierde {loses}.</translation>
   <message numerus="yes">
    <source>{n} comments on this frame are not settled.</source>
    <extracomment>{n} comment on this frame is not settled. / {n} comments on this frame are not settled. [procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} comentario sobre esta imagen no está resuelto.</numerusform>
+    <numerusform>{n} comentarios sobre esta imagen no están resueltos.</numerusform>
    </translation>
   </message>
   <message>
    <source>A tick in the Review panel settles a comment.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Una marca en el panel «Revisión» resuelve un comentario.</translation>
   </message>
   <message>
    <source>{n:,} of {total:,} frames are not done.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{n:,} de {total:,} imágenes no están terminadas.</translation>
   </message>
   <message numerus="yes">
    <source>{n} frames are not saved, and saving failed again just now.</source>
@@ -3861,12 +3861,12 @@ Pierde {loses}.</translation>
   <message>
    <source>Export all</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exportar todas</translation>
   </message>
   <message>
    <source>Done only</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Solo terminadas</translation>
   </message>
   <message>
    <source>Dismiss this message</source>
@@ -3906,7 +3906,7 @@ Pierde {loses}.</translation>
   <message>
    <source>Do not approve</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>No aprobar</translation>
   </message>
   <message>
    <source>Approve</source>
@@ -4281,7 +4281,7 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
   <message>
    <source>none judged</source>
    <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>no juzgar ninguna</translation>
   </message>
   <message>
    <source>several models</source>
@@ -4332,7 +4332,8 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
    <source>No cameras loaded.
 Load a folder of camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>No hay cámaras cargadas.
+Cargue una carpeta de archivos de cámara o de homografías para verlas juzgadas con sus clics.</translation>
   </message>
   <message>
    <source>Load folder…</source>
@@ -4580,22 +4581,22 @@ Clase en los archivos: {name}</translation>
   <message>
    <source>far</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>lejos</translation>
   </message>
   <message>
    <source>right</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>derecha</translation>
   </message>
   <message>
    <source>near</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>cerca</translation>
   </message>
   <message>
    <source>left</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>izquierda</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
@@ -4605,7 +4606,7 @@ Clase en los archivos: {name}</translation>
   <message>
    <source>Click an element</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Haga clic en un elemento</translation>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
@@ -4615,7 +4616,7 @@ Clase en los archivos: {name}</translation>
   <message>
    <source>Show all frames</source>
    <extracomment>[procc_annotator/gui/panels/film_strip.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Mostrar todas las imágenes</translation>
   </message>
   <message>
    <source>Error</source>
@@ -4660,7 +4661,7 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   <message>
    <source>No problems so far.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ningún problema hasta ahora.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
@@ -4678,12 +4679,12 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
   <message>
    <source>The live fit is off: the full check needs it.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>El ajuste continuo está desactivado: la revisión completa lo necesita.</translation>
   </message>
   <message>
    <source>Full check needs a camera: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La revisión completa necesita una cámara: {why}.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
@@ -5108,7 +5109,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>No landmarks. A landmark is a place of this stadium that the field does not have: a seat, the corner of a board, a floodlight. Name one below, and click it in two calibrated views.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>No hay puntos de referencia. Son lugares de este estadio que el campo no tiene: un asiento, la esquina de una valla, un foco. Dé nombre a uno abajo y márquelo en dos vistas calibradas.</translation>
+   <translation>No hay marcas. Una marca es un lugar de este estadio que el campo no tiene: un asiento, la esquina de una valla, un foco. Dé nombre a una abajo y haga clic en ella en dos vistas calibradas.</translation>
   </message>
   <message>
    <source>Find its place from the views it is clicked in; cameras are those of the active source, else fits to the clicks</source>
@@ -5133,7 +5134,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>Landmark</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Referencia</translation>
+   <translation>Marca</translation>
   </message>
   <message>
    <source>Views</source>
@@ -5158,7 +5159,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>Clicked here, but no landmarks yet: {names}. Write a name next to Add to triangulate it.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Marcados aquí, pero aún sin referencia: {names}. Escriba un nombre junto a Añadir para triangularlos.</translation>
+   <translation>Con clics aquí, pero aún no son marcas: {names}. Escriba un nombre junto a Añadir para triangularlas.</translation>
   </message>
   <message>
    <source>Its place is not known yet</source>
@@ -5173,7 +5174,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>New landmark</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Nueva referencia</translation>
+   <translation>Nueva marca</translation>
   </message>
   <message>
    <source>Add</source>
@@ -5213,7 +5214,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>{why}. Delete the landmark and name it again to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>{why}. Borre la referencia y nómbrela de nuevo para triangularla.</translation>
+   <translation>{why}. Borre la marca y nómbrela de nuevo para triangularla.</translation>
   </message>
   <message>
    <source>Looking for the frames in which {title} is clicked…</source>
@@ -5228,12 +5229,12 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>Choose a landmark in the list to have it triangulated.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Elija una referencia de la lista para triangularla.</translation>
+   <translation>Elija una marca de la lista para triangularla.</translation>
   </message>
   <message>
    <source>Only a landmark that has a name can be triangulated: write one next to Add.</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Solo se puede triangular una referencia con nombre: escríbalo junto a Añadir.</translation>
+   <translation>Solo se puede triangular una marca con nombre: escríbalo junto a Añadir.</translation>
   </message>
   <message numerus="yes">
    <source>{names} and {n} more</source>
@@ -5246,12 +5247,12 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>Landmarks</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py, procc_annotator/gui/window/workspaces.py]</extracomment>
-   <translation>Referencias</translation>
+   <translation>Marcas</translation>
   </message>
   <message>
    <source>Have a new landmark, to be clicked (Enter)</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Crear una nueva referencia para marcarla (Intro)</translation>
+   <translation>Crear una nueva marca para hacer clic en ella (Intro)</translation>
   </message>
   <message>
    <source>The place was measured: it stays as it is from now on (Enter)</source>
@@ -5261,7 +5262,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>Forget this landmark; clicks on it stay in the annotations</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>Olvidar esta referencia; los clics quedan en las anotaciones</translation>
+   <translation>Olvidar esta marca; los clics quedan en las anotaciones</translation>
   </message>
   <message>
    <source>Title</source>
@@ -5286,17 +5287,17 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>a landmark needs a name: write one next to Add</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>una referencia necesita un nombre: escríbalo junto a Añadir</translation>
+   <translation>una marca necesita un nombre: escríbalo junto a Añadir</translation>
   </message>
   <message>
    <source>deleted the landmark {title}; clicks on it stay in the annotations</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>referencia {title} borrada; los clics quedan en las anotaciones</translation>
+   <translation>marca {title} borrada; los clics quedan en las anotaciones</translation>
   </message>
   <message>
    <source>the landmark {title}</source>
    <extracomment>[procc_annotator/gui/panels/landmarks.py]</extracomment>
-   <translation>la referencia {title}</translation>
+   <translation>la marca {title}</translation>
   </message>
   <message>
    <source>Picture (*.png);;Vector graphics (*.svg)</source>
@@ -5629,12 +5630,12 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>This frame is right (Ctrl+Shift+A)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Esta imagen está bien (Ctrl+Mayús+A)</translation>
   </message>
   <message>
    <source>Send it back (Ctrl+Shift+X)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Devolverla (Ctrl+Mayús+X)</translation>
   </message>
   <message>
    <source>Reject</source>
@@ -5674,9 +5675,9 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message numerus="yes">
    <source>to be confirmed (Shift+V): {n:,} elements</source>
    <extracomment>to be confirmed (Shift+V): {n:,} element / to be confirmed (Shift+V): {n:,} elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>por confirmar (Mayús+V): {n:,} elemento</numerusform>
+    <numerusform>por confirmar (Mayús+V): {n:,} elementos</numerusform>
    </translation>
   </message>
   <message>
@@ -5758,13 +5759,13 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>Camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cámara errónea</translation>
   </message>
   <message>
    <source>Labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Anotación errónea</translation>
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
@@ -5881,7 +5882,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>Verdict</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Veredicto</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -6000,7 +6001,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>choose the camera to judge first (C)</source>
    <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>elija primero la cámara que se juzga (C)</translation>
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -6125,7 +6126,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>the dataset's landmarks stay as they were: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
-   <translation>las referencias del conjunto quedan como estaban: {why}</translation>
+   <translation>las marcas del conjunto quedan como estaban: {why}</translation>
   </message>
   <message>
    <source>{title} is at {place} m, ± {deviations}, from {views} views</source>
@@ -6145,12 +6146,12 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>the dataset's landmarks are not used: {why}</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
-   <translation>las referencias del conjunto no se usan: {why}</translation>
+   <translation>las marcas del conjunto no se usan: {why}</translation>
   </message>
   <message>
    <source>the dataset's landmarks can be used again</source>
    <extracomment>[procc_annotator/gui/state/landmarks.py]</extracomment>
-   <translation>las referencias del conjunto se pueden usar otra vez</translation>
+   <translation>las marcas del conjunto se pueden usar otra vez</translation>
   </message>
   <message>
    <source>{names} share only where the elements are shown, no camera: there is no ground to compare.</source>
@@ -6240,7 +6241,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>{folder} cannot be written: what is annotated here has to be saved elsewhere (File &gt; Save copies to…)</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>no se puede escribir en {folder}: lo que se anote aquí debe guardarse en otra parte (Archivo &gt; Guardar copias en…)</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
@@ -6265,7 +6266,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>the filter shows no further frame this way</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>el filtro no muestra más imágenes en este sentido</translation>
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
@@ -6393,7 +6394,7 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
   <message>
    <source>Enter runs it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Intro lo ejecuta · ↑ ↓ eligen · Esc cierra</translation>
   </message>
   <message>
    <source>Panel</source>
@@ -6665,7 +6666,7 @@ Anotar y auditar calibraciones de cámaras deportivas con el protocolo ProCC.</t
   <message>
    <source>Default keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Teclas por defecto</translation>
   </message>
   <message>
    <source>Import…</source>
@@ -6896,7 +6897,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>JaC – {why}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC – {why}</translation>
   </message>
   <message>
    <source>What the score is computed with: {terms}</source>
@@ -6939,12 +6940,12 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC {jac:.3f} del ajuste</translation>
   </message>
   <message>
    <source>blind: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>ciego: entregar para ver el JaC</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -6959,7 +6960,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Annotations are read from and saved as JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Las anotaciones se leen y guardan como JSON junto a las imágenes. Suelte más tarde una carpeta de cámaras para verlas juzgadas con sus clics.</translation>
   </message>
   <message>
    <source>Open recent</source>
@@ -7019,7 +7020,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Reset all</source>
    <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Restablecer todo</translation>
   </message>
   <message>
    <source>none of your own</source>
@@ -7179,12 +7180,12 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>click to draw; choose its class afterwards</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>clic para dibujar; la clase se elige después</translation>
   </message>
   <message>
    <source>Backspace removes the last point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Retroceso quita el último punto</translation>
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
@@ -7199,7 +7200,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>click or drag a point, drag elsewhere to select several</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>clic o arrastre en un punto; arrastre en otra parte para elegir varios</translation>
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7270,7 +7271,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>/ finds an element</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>/ busca un elemento</translation>
   </message>
   <message>
    <source>DRAW</source>
@@ -7293,7 +7294,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Enter or double-click finishes, then choose the class</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Intro o doble clic termina; luego elija la clase</translation>
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
@@ -7349,7 +7350,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>click starts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic lo empieza</translation>
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
@@ -7364,9 +7365,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message numerus="yes">
    <source>Esc deselects {n} points</source>
    <extracomment>Esc deselects the point / Esc deselects {n} points [procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Esc deselecciona el punto</numerusform>
+    <numerusform>Esc deselecciona {n} puntos</numerusform>
    </translation>
   </message>
   <message>
@@ -7377,7 +7378,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>release selects all points inside</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>al soltar se eligen todos los puntos de dentro</translation>
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
@@ -7412,7 +7413,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>click a point to drag it, elsewhere to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>clic en un punto para arrastrarlo, en otra parte para deseleccionar</translation>
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
@@ -7425,7 +7426,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>click draws it by hand</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic lo dibuja a mano</translation>
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
@@ -7438,7 +7439,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>no line found along it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>no se halla ninguna línea en él</translation>
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7473,7 +7474,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>hold Ctrl: no snapping</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>mantener Ctrl: sin ajuste</translation>
   </message>
   <message>
    <source>Delete removes {title}</source>
@@ -7511,7 +7512,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Esc removes the new point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Esc quita el punto nuevo</translation>
   </message>
   <message>
    <source>Esc lets go</source>
@@ -7726,7 +7727,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Write what could not be saved in its own place to another folder</source>
    <extracomment>[the action save_copies]</extracomment>
-   <translation type="unfinished" />
+   <translation>Escribir en otra carpeta lo que no se pudo guardar en su lugar</translation>
   </message>
   <message>
    <source>Import annotations…</source>
@@ -7751,12 +7752,12 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Export annotations as JSON…</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exportar anotaciones como JSON…</translation>
   </message>
   <message>
    <source>Write the annotations of all frames as a folder or zip of JSON files</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation type="unfinished" />
+   <translation>Escribir las anotaciones de todas las imágenes como carpeta o zip de archivos JSON</translation>
   </message>
   <message>
    <source>Export JaC of the set…</source>
@@ -8016,7 +8017,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Show the next picture, of those that the filter shows</source>
    <extracomment>[the action next_frame]</extracomment>
-   <translation type="unfinished" />
+   <translation>Mostrar la imagen siguiente, de las que muestra el filtro</translation>
   </message>
   <message>
    <source>Previous frame</source>
@@ -8026,7 +8027,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Show the previous picture, of those that the filter shows</source>
    <extracomment>[the action previous_frame]</extracomment>
-   <translation type="unfinished" />
+   <translation>Mostrar la imagen anterior, de las que muestra el filtro</translation>
   </message>
   <message>
    <source>Next unfinished</source>
@@ -8191,17 +8192,17 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Annotate all that is sure</source>
    <extracomment>[the action annotate_sure]</extracomment>
-   <translation type="unfinished" />
+   <translation>Anotar todo lo seguro</translation>
   </message>
   <message>
    <source>Annotate every frame of the dataset whose camera is found and sure, in one step; Next doubtful frame (Alt+PgDown) then goes through the others, the least sure first</source>
    <extracomment>[the action annotate_sure]</extracomment>
-   <translation type="unfinished" />
+   <translation>Anotar en un paso todas las imágenes del conjunto cuya cámara se halló y es segura; «Siguiente imagen dudosa» (Alt+Av Pág) recorre luego las demás, las menos seguras primero</translation>
   </message>
   <message>
    <source>Take back what was accepted last</source>
    <extracomment>[the action take_back_stretch]</extracomment>
-   <translation type="unfinished" />
+   <translation>Retirar lo último aceptado</translation>
   </message>
   <message>
    <source>Frames that were accepted last and not edited since are as they were before</source>
@@ -8391,12 +8392,12 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Confirm all unconfirmed elements</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation type="unfinished" />
+   <translation>Confirmar todos los elementos sin confirmar</translation>
   </message>
   <message>
    <source>Copied and unfinished elements count and are saved from now on</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation type="unfinished" />
+   <translation>Los elementos copiados y sin terminar cuentan y se guardan desde ahora</translation>
   </message>
   <message>
    <source>Drop unconfirmed elements</source>
@@ -8406,7 +8407,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Remove copied and unfinished elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
-   <translation type="unfinished" />
+   <translation>Quitar los elementos copiados y sin terminar que no se editaron</translation>
   </message>
   <message>
    <source>Regularise all elements</source>
@@ -8516,7 +8517,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Confirm element</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation type="unfinished" />
+   <translation>Confirmar elemento</translation>
   </message>
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
@@ -8676,7 +8677,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>The ghost or the chosen element cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation type="unfinished" />
+   <translation>El fantasma o el elemento elegido no se ve en esta imagen; otra vez lo retira</translation>
   </message>
   <message>
    <source>Take back “not visible here”</source>
@@ -8881,7 +8882,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>The field map has the side below that the camera stands on, and what the camera does not see is faint</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation type="unfinished" />
+   <translation>El mapa tiene abajo el lado en que está la cámara, y lo que esta no ve es tenue</translation>
   </message>
   <message>
    <source>Picture on the field map</source>
@@ -8901,22 +8902,22 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Below the picture: thumbnails of the frames, or the timeline of a video</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation type="unfinished" />
+   <translation>Bajo la imagen: miniaturas de las imágenes, o la línea de tiempo de un vídeo</translation>
   </message>
   <message>
    <source>List of frames</source>
    <extracomment>[the action frames_list]</extracomment>
-   <translation type="unfinished" />
+   <translation>Lista de imágenes</translation>
   </message>
   <message>
    <source>Show the frames with their names and a filter at the left, instead of the strip; once more closes the list</source>
    <extracomment>[the action frames_list]</extracomment>
-   <translation type="unfinished" />
+   <translation>Mostrar a la izquierda las imágenes con sus nombres y un filtro, en lugar de la tira; otra vez cierra la lista</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set, of all shown sources</source>
    <extracomment>[the action plots]</extracomment>
-   <translation type="unfinished" />
+   <translation>Errores y JaC de la imagen o del conjunto, de todas las fuentes mostradas</translation>
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -8926,7 +8927,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Elements, what the check found, landmarks</source>
    <extracomment>[the action desk_annotate]</extracomment>
-   <translation>Elementos, hallazgos de la revisión, puntos de referencia</translation>
+   <translation>Elementos, hallazgos de la revisión, marcas</translation>
   </message>
   <message>
    <source>Panels to judge</source>
@@ -9176,7 +9177,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Camera wrong</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cámara errónea</translation>
   </message>
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
@@ -9186,7 +9187,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Labels wrong</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation type="unfinished" />
+   <translation>Anotación errónea</translation>
   </message>
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
@@ -9196,7 +9197,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>OK</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation type="unfinished" />
+   <translation>OK</translation>
   </message>
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
@@ -9276,12 +9277,12 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Light, dark or system</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation type="unfinished" />
+   <translation>Claro, oscuro o como el sistema</translation>
   </message>
   <message>
    <source>System</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation type="unfinished" />
+   <translation>Sistema</translation>
   </message>
   <message>
    <source>Light</source>
@@ -9296,12 +9297,12 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Text size</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tamaño del texto</translation>
   </message>
   <message>
    <source>Text size, % of system (after restart)</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tamaño del texto, % del sistema (tras reiniciar)</translation>
   </message>
   <message>
    <source>Language</source>
@@ -9311,7 +9312,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Language of the window (after restart); files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation type="unfinished" />
+   <translation>Idioma de la ventana (tras reiniciar); los archivos quedan como están</translation>
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9321,12 +9322,12 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>Author name</source>
    <extracomment>[the setting author]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nombre del autor</translation>
   </message>
   <message>
    <source>Author name (empty = login name)</source>
    <extracomment>[the setting author]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nombre del autor (vacío = nombre de usuario)</translation>
   </message>
   <message>
    <source>Judging</source>

@@ -209,9 +209,9 @@
   <message numerus="yes">
    <source>{title} has {n} points: {least} points needed for a curve</source>
    <extracomment>{title} has {n} point: {least} points needed for a curve / {title} has {n} points: {least} points needed for a curve [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{title} a {n} point : une courbe en demande {least}</numerusform>
+    <numerusform>{title} a {n} points : une courbe en demande {least}</numerusform>
    </translation>
   </message>
   <message>
@@ -274,7 +274,7 @@
   <message>
    <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>mettre ses points sur la ligne</translation>
   </message>
   <message>
    <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
@@ -284,22 +284,22 @@
   <message>
    <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} est courbe : entre les points, sa ligne s’écarte jusqu’à {px:.0f} px. Appuyez sur R pour la suivre</translation>
   </message>
   <message>
    <source>one end of {title} is {px:.0f} px off the line. Move it onto the paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un bout de {title} est à {px:.0f} px de la ligne. Mettez-le sur la peinture</translation>
   </message>
   <message>
    <source>{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends? Press R</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{percent:.0f} % de {title} n’est pas sur la peinture (plus long vide : {px:.0f} px). Ligne courbe ? Appuyez sur R</translation>
   </message>
   <message>
    <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un bout de {title} n’est pas sur la peinture</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -364,12 +364,12 @@
   <message>
    <source>{name} is {px:.0f} px off its line, and {more} more are off theirs</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} est à {px:.0f} px de sa ligne, et {more} autres de la leur</translation>
   </message>
   <message>
    <source>{name} is {px:.0f} px off its line</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} est à {px:.0f} px de sa ligne</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -483,37 +483,37 @@
   <message>
    <source>a different view fits almost as well</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>une autre vue convient presque aussi bien</translation>
   </message>
   <message>
    <source>expected lines are missing</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>des lignes attendues manquent</translation>
   </message>
   <message>
    <source>some lines in the picture do not match the field</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>certaines lignes de l’image ne correspondent pas au terrain</translation>
   </message>
   <message>
    <source>too few lines in view</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>trop peu de lignes en vue</translation>
   </message>
   <message>
    <source>unusual camera position</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>position de caméra inhabituelle</translation>
   </message>
   <message>
    <source>the visible lines do not determine the camera</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>les lignes visibles ne déterminent pas la caméra</translation>
   </message>
   <message>
    <source>{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{lines:.0f} % des lignes attendues trouvées, {paint:.0f} % de la peinture visible expliquée</translation>
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -523,12 +523,12 @@
   <message>
    <source>no camera fits the lines (best: {shares})</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune caméra ne convient aux lignes (la meilleure : {shares})</translation>
   </message>
   <message>
    <source>the picture is nearly square: its pixels may not be</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>l’image est presque carrée : ses pixels ne le sont peut-être pas</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -777,19 +777,19 @@
    <source>camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>caméra fausse</translation>
   </message>
   <message>
    <source>labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>annotation fausse</translation>
   </message>
   <message>
    <source>OK</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>OK</translation>
   </message>
   <message>
    <source>taken back</source>
@@ -1058,15 +1058,15 @@
   <message numerus="yes">
    <source>kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on</source>
    <extracomment>kept {n} click of {title} on {frame}, unfinished: choose it there to go on / kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} clic de {title} sur {frame} est conservé, inachevé : choisissez-le là pour continuer</numerusform>
+    <numerusform>{n} clics de {title} sur {frame} sont conservés, inachevés : choisissez-le là pour continuer</numerusform>
    </translation>
   </message>
   <message>
    <source>finished {title}</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} terminé</translation>
   </message>
   <message>
    <source>How good the fitted camera is</source>
@@ -1164,7 +1164,7 @@
   <message>
    <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune caméra trouvée : {why}. Dessinez d’abord 3 éléments, dont deux qui se rejoignent</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1408,7 +1408,7 @@
   <message>
    <source>Another element…</source>
    <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Autre élément…</translation>
   </message>
   <message>
    <source>Leave it unnamed</source>
@@ -1736,14 +1736,14 @@ Perd {loses}.</translation>
   <message>
    <source>Save copies to</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Enregistrer des copies dans</translation>
   </message>
   <message numerus="yes">
    <source>copied {n:,} frames to {folder}; they are not saved in their own place yet</source>
    <extracomment>copied {n:,} frame to {folder}; it is not saved in its own place yet / copied {n:,} frames to {folder}; they are not saved in their own place yet [procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image copiée dans {folder} ; elle n’est pas encore enregistrée à sa place</numerusform>
+    <numerusform>{n:,} images copiées dans {folder} ; elles ne sont pas encore enregistrées à leur place</numerusform>
    </translation>
   </message>
   <message>
@@ -1802,7 +1802,7 @@ Perd {loses}.</translation>
   <message>
    <source>everything is saved in its own place</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>tout est enregistré à sa place</translation>
   </message>
   <message>
    <source>no camera to save: {why}</source>
@@ -2080,7 +2080,7 @@ Perd {loses}.</translation>
   <message>
    <source>{place} of {total}, the least sure first</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{place} sur {total}, les moins sûres d’abord</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>
@@ -2115,7 +2115,7 @@ Perd {loses}.</translation>
   <message>
    <source>no other frame is unsure</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune autre image n’est incertaine</translation>
   </message>
   <message>
    <source>these frames do not follow one another</source>
@@ -2185,7 +2185,7 @@ Perd {loses}.</translation>
   <message>
    <source>skipped (under {least:.0%} visible): {ghosts}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>omis (moins de {least:.0%} visible) : {ghosts}</translation>
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -2282,7 +2282,7 @@ Perd {loses}.</translation>
   <message>
    <source>no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucun fantôme accepté, moins de {least:.0%} de la ligne visible : {ghosts} ; Tab les parcourt</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -2985,7 +2985,7 @@ Perd {loses}.</translation>
   <message>
    <source>the shot is still being followed: wait for its end, or stop it (T), then accept</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le suivi du plan est en cours : attendez sa fin ou arrêtez-le (T), puis acceptez</translation>
   </message>
   <message>
    <source>no frame to accept: all that were followed are annotated</source>
@@ -2995,7 +2995,7 @@ Perd {loses}.</translation>
   <message>
    <source>every frame is annotated</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>toutes les images sont annotées</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
@@ -3013,14 +3013,14 @@ Perd {loses}.</translation>
   <message>
    <source>finding line points: {done} of {total} frames  ·  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>recherche des points de ligne : {done} images sur {total}  ·  Échap arrête</translation>
   </message>
   <message numerus="yes">
    <source>annotated {n:,} frames</source>
    <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image annotée</numerusform>
+    <numerusform>{n:,} images annotées</numerusform>
    </translation>
   </message>
   <message>
@@ -3031,9 +3031,9 @@ Perd {loses}.</translation>
   <message numerus="yes">
    <source>taken back: {n:,} annotated frames</source>
    <extracomment>taken back: {n:,} annotated frame / taken back: {n:,} annotated frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>annulé : {n:,} image annotée</numerusform>
+    <numerusform>annulé : {n:,} images annotées</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -3047,12 +3047,12 @@ Perd {loses}.</translation>
   <message>
    <source>finding line points …  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>recherche des points de ligne …  Échap arrête</translation>
   </message>
   <message>
    <source>no frame was annotated: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image annotée : trop peu de leurs lignes se voit</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
@@ -3082,14 +3082,14 @@ Perd {loses}.</translation>
   <message>
    <source>no frame was annotated: no camera is sure</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune image annotée : aucune caméra n’est sûre</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first</source>
    <extracomment>{n:,} frame is not sure: Alt+PgDown shows it / {n:,} frames are not sure: Alt+PgDown goes through them, the least sure first [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} image n’est pas sûre : Alt+Page suiv. l’affiche</numerusform>
+    <numerusform>{n:,} images ne sont pas sûres : Alt+Page suiv. les parcourt, les moins sûres d’abord</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -3232,7 +3232,7 @@ Perd {loses}.</translation>
   <message>
    <source>mark the frame first: camera wrong, labels wrong or fine</source>
    <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>jugez d’abord l’image : caméra fausse, annotation fausse ou OK</translation>
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
@@ -3805,7 +3805,7 @@ Perd {loses}.</translation>
   <message>
    <source>Save copies to…</source>
    <extracomment>[procc_annotator/gui/messages.py, the action save_copies]</extracomment>
-   <translation type="unfinished" />
+   <translation>Enregistrer des copies dans…</translation>
   </message>
   <message>
    <source>Copy details</source>
@@ -3815,7 +3815,7 @@ Perd {loses}.</translation>
   <message>
    <source>Show the next</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Afficher la suivante</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -3825,20 +3825,20 @@ Perd {loses}.</translation>
   <message numerus="yes">
    <source>{n} comments on this frame are not settled.</source>
    <extracomment>{n} comment on this frame is not settled. / {n} comments on this frame are not settled. [procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>{n} commentaire sur cette image n’est pas réglé.</numerusform>
+    <numerusform>{n} commentaires sur cette image ne sont pas réglés.</numerusform>
    </translation>
   </message>
   <message>
    <source>A tick in the Review panel settles a comment.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Une coche dans le panneau « Relecture » règle un commentaire.</translation>
   </message>
   <message>
    <source>{n:,} of {total:,} frames are not done.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{n:,} images sur {total:,} ne sont pas terminées.</translation>
   </message>
   <message numerus="yes">
    <source>{n} frames are not saved, and saving failed again just now.</source>
@@ -3861,12 +3861,12 @@ Perd {loses}.</translation>
   <message>
    <source>Export all</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tout exporter</translation>
   </message>
   <message>
    <source>Done only</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Terminées seulement</translation>
   </message>
   <message>
    <source>Dismiss this message</source>
@@ -3906,7 +3906,7 @@ Perd {loses}.</translation>
   <message>
    <source>Do not approve</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Ne pas approuver</translation>
   </message>
   <message>
    <source>Approve</source>
@@ -4281,7 +4281,7 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
   <message>
    <source>none judged</source>
    <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>n’en juger aucune</translation>
   </message>
   <message>
    <source>several models</source>
@@ -4332,7 +4332,8 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
    <source>No cameras loaded.
 Load a folder of camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucune caméra chargée.
+Chargez un dossier de fichiers de caméra ou d’homographies pour les voir jugées d’après vos clics.</translation>
   </message>
   <message>
    <source>Load folder…</source>
@@ -4580,22 +4581,22 @@ Classe dans les fichiers : {name}</translation>
   <message>
    <source>far</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>loin</translation>
   </message>
   <message>
    <source>right</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>droite</translation>
   </message>
   <message>
    <source>near</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>près</translation>
   </message>
   <message>
    <source>left</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>gauche</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
@@ -4605,7 +4606,7 @@ Classe dans les fichiers : {name}</translation>
   <message>
    <source>Click an element</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cliquez un élément</translation>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
@@ -4615,7 +4616,7 @@ Classe dans les fichiers : {name}</translation>
   <message>
    <source>Show all frames</source>
    <extracomment>[procc_annotator/gui/panels/film_strip.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Afficher toutes les images</translation>
   </message>
   <message>
    <source>Error</source>
@@ -4660,7 +4661,7 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   <message>
    <source>No problems so far.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Aucun problème jusqu’ici.</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
@@ -4678,12 +4679,12 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
   <message>
    <source>The live fit is off: the full check needs it.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>L’ajustement continu est désactivé : la vérification complète en a besoin.</translation>
   </message>
   <message>
    <source>Full check needs a camera: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La vérification complète demande une caméra : {why}.</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
@@ -5629,12 +5630,12 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>This frame is right (Ctrl+Shift+A)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Cette image est correcte (Ctrl+Maj+A)</translation>
   </message>
   <message>
    <source>Send it back (Ctrl+Shift+X)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>La renvoyer (Ctrl+Maj+X)</translation>
   </message>
   <message>
    <source>Reject</source>
@@ -5674,9 +5675,9 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message numerus="yes">
    <source>to be confirmed (Shift+V): {n:,} elements</source>
    <extracomment>to be confirmed (Shift+V): {n:,} element / to be confirmed (Shift+V): {n:,} elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>à confirmer (Maj+V) : {n:,} élément</numerusform>
+    <numerusform>à confirmer (Maj+V) : {n:,} éléments</numerusform>
    </translation>
   </message>
   <message>
@@ -5758,13 +5759,13 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>Camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra fausse</translation>
   </message>
   <message>
    <source>Labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotation fausse</translation>
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
@@ -5881,7 +5882,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>Verdict</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Verdict</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -6000,7 +6001,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>choose the camera to judge first (C)</source>
    <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>choisissez d’abord la caméra à juger (C)</translation>
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -6240,7 +6241,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>{folder} cannot be written: what is annotated here has to be saved elsewhere (File &gt; Save copies to…)</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>impossible d’écrire dans {folder} : ce qui est annoté ici doit être enregistré ailleurs (Fichier &gt; Enregistrer des copies dans…)</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
@@ -6265,7 +6266,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>the filter shows no further frame this way</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>le filtre ne montre plus d’image dans ce sens</translation>
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
@@ -6393,7 +6394,7 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
   <message>
    <source>Enter runs it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée exécute · ↑ ↓ choisissent · Échap ferme</translation>
   </message>
   <message>
    <source>Panel</source>
@@ -6665,7 +6666,7 @@ Annoter et auditer des calibrations de caméras de sport.</translation>
   <message>
    <source>Default keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Touches par défaut</translation>
   </message>
   <message>
    <source>Import…</source>
@@ -6896,7 +6897,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>JaC – {why}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC – {why}</translation>
   </message>
   <message>
    <source>What the score is computed with: {terms}</source>
@@ -6939,12 +6940,12 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC {jac:.3f} de l’ajustement</translation>
   </message>
   <message>
    <source>blind: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aveugle : remettre pour voir le JaC</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -6959,7 +6960,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Annotations are read from and saved as JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les annotations sont lues et enregistrées en JSON à côté des images. Déposez plus tard un dossier de caméras pour les voir jugées d’après vos clics.</translation>
   </message>
   <message>
    <source>Open recent</source>
@@ -7019,7 +7020,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Reset all</source>
    <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Tout réinitialiser</translation>
   </message>
   <message>
    <source>none of your own</source>
@@ -7179,12 +7180,12 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>click to draw; choose its class afterwards</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>cliquer pour dessiner ; choisir la classe ensuite</translation>
   </message>
   <message>
    <source>Backspace removes the last point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Retour arrière retire le dernier point</translation>
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
@@ -7199,7 +7200,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>click or drag a point, drag elsewhere to select several</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>cliquer ou glisser un point ; glisser ailleurs pour en choisir plusieurs</translation>
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7270,7 +7271,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>/ finds an element</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>/ trouve un élément</translation>
   </message>
   <message>
    <source>DRAW</source>
@@ -7293,7 +7294,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Enter or double-click finishes, then choose the class</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Entrée ou double-clic termine ; choisir ensuite la classe</translation>
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
@@ -7349,7 +7350,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>click starts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic le commence</translation>
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
@@ -7364,9 +7365,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message numerus="yes">
    <source>Esc deselects {n} points</source>
    <extracomment>Esc deselects the point / Esc deselects {n} points [procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
-    <numerusform />
+   <translation>
+    <numerusform>Échap désélectionne le point</numerusform>
+    <numerusform>Échap désélectionne {n} points</numerusform>
    </translation>
   </message>
   <message>
@@ -7377,7 +7378,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>release selects all points inside</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>relâcher choisit tous les points à l’intérieur</translation>
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
@@ -7412,7 +7413,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>click a point to drag it, elsewhere to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>cliquer un point pour le glisser, ailleurs pour désélectionner</translation>
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
@@ -7425,7 +7426,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>click draws it by hand</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>un clic le dessine à la main</translation>
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
@@ -7438,7 +7439,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>no line found along it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>aucune ligne trouvée dessus</translation>
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7473,7 +7474,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>hold Ctrl: no snapping</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>maintenir Ctrl : sans aimant</translation>
   </message>
   <message>
    <source>Delete removes {title}</source>
@@ -7511,7 +7512,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Esc removes the new point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Échap retire le nouveau point</translation>
   </message>
   <message>
    <source>Esc lets go</source>
@@ -7726,7 +7727,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Write what could not be saved in its own place to another folder</source>
    <extracomment>[the action save_copies]</extracomment>
-   <translation type="unfinished" />
+   <translation>Écrire dans un autre dossier ce qui n’a pu être enregistré à sa place</translation>
   </message>
   <message>
    <source>Import annotations…</source>
@@ -7751,12 +7752,12 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Export annotations as JSON…</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation type="unfinished" />
+   <translation>Exporter les annotations en JSON…</translation>
   </message>
   <message>
    <source>Write the annotations of all frames as a folder or zip of JSON files</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation type="unfinished" />
+   <translation>Écrire les annotations de toutes les images dans un dossier ou un zip de fichiers JSON</translation>
   </message>
   <message>
    <source>Export JaC of the set…</source>
@@ -8016,7 +8017,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Show the next picture, of those that the filter shows</source>
    <extracomment>[the action next_frame]</extracomment>
-   <translation type="unfinished" />
+   <translation>Afficher l’image suivante, parmi celles que montre le filtre</translation>
   </message>
   <message>
    <source>Previous frame</source>
@@ -8026,7 +8027,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Show the previous picture, of those that the filter shows</source>
    <extracomment>[the action previous_frame]</extracomment>
-   <translation type="unfinished" />
+   <translation>Afficher l’image précédente, parmi celles que montre le filtre</translation>
   </message>
   <message>
    <source>Next unfinished</source>
@@ -8191,17 +8192,17 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Annotate all that is sure</source>
    <extracomment>[the action annotate_sure]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annoter tout ce qui est sûr</translation>
   </message>
   <message>
    <source>Annotate every frame of the dataset whose camera is found and sure, in one step; Next doubtful frame (Alt+PgDown) then goes through the others, the least sure first</source>
    <extracomment>[the action annotate_sure]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annoter en une étape chaque image du jeu dont la caméra est trouvée et sûre ; « Image douteuse suivante » (Alt+Page suiv.) parcourt ensuite les autres, les moins sûres d’abord</translation>
   </message>
   <message>
    <source>Take back what was accepted last</source>
    <extracomment>[the action take_back_stretch]</extracomment>
-   <translation type="unfinished" />
+   <translation>Revenir sur la dernière acceptation</translation>
   </message>
   <message>
    <source>Frames that were accepted last and not edited since are as they were before</source>
@@ -8391,12 +8392,12 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Confirm all unconfirmed elements</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation type="unfinished" />
+   <translation>Confirmer tous les éléments non confirmés</translation>
   </message>
   <message>
    <source>Copied and unfinished elements count and are saved from now on</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation type="unfinished" />
+   <translation>Les éléments copiés et inachevés comptent et sont enregistrés désormais</translation>
   </message>
   <message>
    <source>Drop unconfirmed elements</source>
@@ -8406,7 +8407,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Remove copied and unfinished elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
-   <translation type="unfinished" />
+   <translation>Retirer les éléments copiés et inachevés qui n’ont pas été modifiés</translation>
   </message>
   <message>
    <source>Regularise all elements</source>
@@ -8516,7 +8517,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Confirm element</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation type="unfinished" />
+   <translation>Confirmer l’élément</translation>
   </message>
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
@@ -8676,7 +8677,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>The ghost or the chosen element cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le fantôme ou l’élément choisi ne se voit pas sur cette image ; une fois de plus revient dessus</translation>
   </message>
   <message>
    <source>Take back “not visible here”</source>
@@ -8881,7 +8882,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>The field map has the side below that the camera stands on, and what the camera does not see is faint</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation type="unfinished" />
+   <translation>Le plan a en bas le côté où se tient la caméra, et ce qu’elle ne voit pas est pâle</translation>
   </message>
   <message>
    <source>Picture on the field map</source>
@@ -8901,22 +8902,22 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Below the picture: thumbnails of the frames, or the timeline of a video</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation type="unfinished" />
+   <translation>Sous l’image : vignettes des images, ou la chronologie d’une vidéo</translation>
   </message>
   <message>
    <source>List of frames</source>
    <extracomment>[the action frames_list]</extracomment>
-   <translation type="unfinished" />
+   <translation>Liste des images</translation>
   </message>
   <message>
    <source>Show the frames with their names and a filter at the left, instead of the strip; once more closes the list</source>
    <extracomment>[the action frames_list]</extracomment>
-   <translation type="unfinished" />
+   <translation>Afficher à gauche les images avec leurs noms et un filtre, au lieu de la bande ; une fois de plus ferme la liste</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set, of all shown sources</source>
    <extracomment>[the action plots]</extracomment>
-   <translation type="unfinished" />
+   <translation>Erreurs et JaC de l’image ou du jeu, pour toutes les sources affichées</translation>
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -9176,7 +9177,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Camera wrong</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation type="unfinished" />
+   <translation>Caméra fausse</translation>
   </message>
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
@@ -9186,7 +9187,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Labels wrong</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation type="unfinished" />
+   <translation>Annotation fausse</translation>
   </message>
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
@@ -9196,7 +9197,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>OK</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation type="unfinished" />
+   <translation>OK</translation>
   </message>
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
@@ -9276,12 +9277,12 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Light, dark or system</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation type="unfinished" />
+   <translation>Clair, sombre ou comme le système</translation>
   </message>
   <message>
    <source>System</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation type="unfinished" />
+   <translation>Système</translation>
   </message>
   <message>
    <source>Light</source>
@@ -9296,12 +9297,12 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Text size</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation type="unfinished" />
+   <translation>Taille du texte</translation>
   </message>
   <message>
    <source>Text size, % of system (after restart)</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation type="unfinished" />
+   <translation>Taille du texte, % de celle du système (après redémarrage)</translation>
   </message>
   <message>
    <source>Language</source>
@@ -9311,7 +9312,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Language of the window (after restart); files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation type="unfinished" />
+   <translation>Langue de la fenêtre (après redémarrage) ; les fichiers restent ce qu’ils sont</translation>
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9321,12 +9322,12 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>Author name</source>
    <extracomment>[the setting author]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nom de l’auteur</translation>
   </message>
   <message>
    <source>Author name (empty = login name)</source>
    <extracomment>[the setting author]</extracomment>
-   <translation type="unfinished" />
+   <translation>Nom de l’auteur (vide = nom de session)</translation>
   </message>
   <message>
    <source>Judging</source>

@@ -205,8 +205,8 @@
   <message numerus="yes">
    <source>{title} has {n} points: {least} points needed for a curve</source>
    <extracomment>{title} has {n} point: {least} points needed for a curve / {title} has {n} points: {least} points needed for a curve [procc_annotator/calibration/label_check/element_rules.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
+   <translation>
+    <numerusform>{title} 有 {n} 个点：曲线需要 {least} 个</numerusform>
    </translation>
   </message>
   <message>
@@ -269,7 +269,7 @@
   <message>
    <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>将其点移到线上</translation>
   </message>
   <message>
    <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
@@ -279,22 +279,22 @@
   <message>
    <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} 是弯的：点与点之间线偏离最多 {px:.0f} px。按 R 沿线跟随</translation>
   </message>
   <message>
    <source>one end of {title} is {px:.0f} px off the line. Move it onto the paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} 的一端偏离线 {px:.0f} px。请移到画线上</translation>
   </message>
   <message>
    <source>{percent:.0f} % of {title} is not on paint (longest gap {px:.0f} px). Line bends? Press R</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} 有 {percent:.0f} % 不在画线上（最长间断 {px:.0f} px）。线是弯的？请按 R</translation>
   </message>
   <message>
    <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{title} 的一端不在画线上</translation>
   </message>
   <message>
    <source>look at it</source>
@@ -359,12 +359,12 @@
   <message>
    <source>{name} is {px:.0f} px off its line, and {more} more are off theirs</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} 偏离其线 {px:.0f} px，另有 {more} 个也偏离</translation>
   </message>
   <message>
    <source>{name} is {px:.0f} px off its line</source>
    <extracomment>[procc_annotator/calibration/line_alignment/refinement.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{name} 偏离其线 {px:.0f} px</translation>
   </message>
   <message numerus="yes">
    <source>{n} elements, {needed} needed</source>
@@ -475,37 +475,37 @@
   <message>
    <source>a different view fits almost as well</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>另一视角几乎同样吻合</translation>
   </message>
   <message>
    <source>expected lines are missing</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>缺少应有的线</translation>
   </message>
   <message>
    <source>some lines in the picture do not match the field</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>图片中有些线与场地不符</translation>
   </message>
   <message>
    <source>too few lines in view</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>可见的线太少</translation>
   </message>
   <message>
    <source>unusual camera position</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>相机位置异常</translation>
   </message>
   <message>
    <source>the visible lines do not determine the camera</source>
    <extracomment>[procc_annotator/calibration/single_image/probability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>可见的线不足以确定相机</translation>
   </message>
   <message>
    <source>{lines:.0f} % of expected lines found, {paint:.0f} % of visible paint matched</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>找到 {lines:.0f} % 的应有线，吻合 {paint:.0f} % 的可见画线</translation>
   </message>
   <message>
    <source>is this {field}, and no other sport? {why}</source>
@@ -515,12 +515,12 @@
   <message>
    <source>no camera fits the lines (best: {shares})</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>没有相机与这些线吻合（最佳：{shares}）</translation>
   </message>
   <message>
    <source>the picture is nearly square: its pixels may not be</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>图片接近正方形：其像素可能不是正方形</translation>
   </message>
   <message>
    <source>too little paint in sight</source>
@@ -769,19 +769,19 @@
    <source>camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>相机错误</translation>
   </message>
   <message>
    <source>labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>标注错误</translation>
   </message>
   <message>
    <source>OK</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/dataset/records.py, procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>无误</translation>
   </message>
   <message>
    <source>taken back</source>
@@ -1047,14 +1047,14 @@
   <message numerus="yes">
    <source>kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on</source>
    <extracomment>kept {n} click of {title} on {frame}, unfinished: choose it there to go on / kept {n} clicks of {title} on {frame}, unfinished: choose it there to go on [procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
+   <translation>
+    <numerusform>已保留 {frame} 上 {title} 的 {n} 次点击（未完成）：在该帧选择它即可继续</numerusform>
    </translation>
   </message>
   <message>
    <source>finished {title}</source>
    <extracomment>[procc_annotator/gui/canvas/editor.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>已完成 {title}</translation>
   </message>
   <message>
    <source>How good the fitted camera is</source>
@@ -1151,7 +1151,7 @@
   <message>
    <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>未找到相机：{why}。请先绘制 3 个元素，其中两个相交</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1387,7 +1387,7 @@
   <message>
    <source>Another element…</source>
    <extracomment>[procc_annotator/gui/commands/element_edits.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>其他元素…</translation>
   </message>
   <message>
    <source>Leave it unnamed</source>
@@ -1709,13 +1709,13 @@ Loses {loses}.</source>
   <message>
    <source>Save copies to</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>副本保存到</translation>
   </message>
   <message numerus="yes">
    <source>copied {n:,} frames to {folder}; they are not saved in their own place yet</source>
    <extracomment>copied {n:,} frame to {folder}; it is not saved in its own place yet / copied {n:,} frames to {folder}; they are not saved in their own place yet [procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
+   <translation>
+    <numerusform>已将 {n:,} 帧复制到 {folder}；尚未保存到原位置</numerusform>
    </translation>
   </message>
   <message>
@@ -1773,7 +1773,7 @@ Loses {loses}.</source>
   <message>
    <source>everything is saved in its own place</source>
    <extracomment>[procc_annotator/gui/commands/exporting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>全部已保存到原位置</translation>
   </message>
   <message>
    <source>no camera to save: {why}</source>
@@ -2045,7 +2045,7 @@ Loses {loses}.</source>
   <message>
    <source>{place} of {total}, the least sure first</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>第 {place} / {total}，最不确定的在前</translation>
   </message>
   <message>
    <source>no other frame is rejected</source>
@@ -2080,7 +2080,7 @@ Loses {loses}.</source>
   <message>
    <source>no other frame is unsure</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>没有其他存疑的帧</translation>
   </message>
   <message>
    <source>these frames do not follow one another</source>
@@ -2150,7 +2150,7 @@ Loses {loses}.</source>
   <message>
    <source>skipped (under {least:.0%} visible): {ghosts}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>已略过（可见不足 {least:.0%}）：{ghosts}</translation>
   </message>
   <message numerus="yes">
    <source>{n} points</source>
@@ -2243,7 +2243,7 @@ Loses {loses}.</source>
   <message>
    <source>no ghost accepted, under {least:.0%} of the line visible: {ghosts}; Tab goes through them</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>未接受任何虚影，可见的线不足 {least:.0%}：{ghosts}；Tab 可逐个查看</translation>
   </message>
   <message>
    <source>accepted {what} on {frame}</source>
@@ -2933,7 +2933,7 @@ Loses {loses}.</source>
   <message>
    <source>the shot is still being followed: wait for its end, or stop it (T), then accept</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>镜头仍在跟踪：请等待结束或停止（T），然后再接受</translation>
   </message>
   <message>
    <source>no frame to accept: all that were followed are annotated</source>
@@ -2943,7 +2943,7 @@ Loses {loses}.</source>
   <message>
    <source>every frame is annotated</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>所有帧均已标注</translation>
   </message>
   <message>
    <source>blind mode: nothing is accepted that was not clicked</source>
@@ -2960,13 +2960,13 @@ Loses {loses}.</source>
   <message>
    <source>finding line points: {done} of {total} frames  ·  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>正在寻找线上的点：{done} / {total} 帧  ·  Esc 停止</translation>
   </message>
   <message numerus="yes">
    <source>annotated {n:,} frames</source>
    <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
+   <translation>
+    <numerusform>已标注 {n:,} 帧</numerusform>
    </translation>
   </message>
   <message>
@@ -2977,8 +2977,8 @@ Loses {loses}.</source>
   <message numerus="yes">
    <source>taken back: {n:,} annotated frames</source>
    <extracomment>taken back: {n:,} annotated frame / taken back: {n:,} annotated frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
+   <translation>
+    <numerusform>已撤回：{n:,} 个标注的帧</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -2991,12 +2991,12 @@ Loses {loses}.</source>
   <message>
    <source>finding line points …  Esc stops</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>正在寻找线上的点 …  Esc 停止</translation>
   </message>
   <message>
    <source>no frame was annotated: too little of their lines is seen</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>未标注任何帧：可见的线太少</translation>
   </message>
   <message>
    <source>no frame was accepted: {why}</source>
@@ -3026,13 +3026,13 @@ Loses {loses}.</source>
   <message>
    <source>no frame was annotated: no camera is sure</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>未标注任何帧：没有确定的相机</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames are not sure: Alt+PgDown goes through them, the least sure first</source>
    <extracomment>{n:,} frame is not sure: Alt+PgDown shows it / {n:,} frames are not sure: Alt+PgDown goes through them, the least sure first [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
+   <translation>
+    <numerusform>{n:,} 帧不确定：Alt+PgDown 逐个查看，最不确定的在前</numerusform>
    </translation>
   </message>
   <message numerus="yes">
@@ -3171,7 +3171,7 @@ Loses {loses}.</source>
   <message>
    <source>mark the frame first: camera wrong, labels wrong or fine</source>
    <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>请先标记本帧：相机错误、标注错误或无误</translation>
   </message>
   <message>
    <source>not everything could be saved: the figures are of the last saved state</source>
@@ -3737,7 +3737,7 @@ Loses {loses}.</source>
   <message>
    <source>Save copies to…</source>
    <extracomment>[procc_annotator/gui/messages.py, the action save_copies]</extracomment>
-   <translation type="unfinished" />
+   <translation>副本保存到…</translation>
   </message>
   <message>
    <source>Copy details</source>
@@ -3747,7 +3747,7 @@ Loses {loses}.</source>
   <message>
    <source>Show the next</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>显示下一个</translation>
   </message>
   <message>
    <source>{what} is there already, and says something else.</source>
@@ -3757,19 +3757,19 @@ Loses {loses}.</source>
   <message numerus="yes">
    <source>{n} comments on this frame are not settled.</source>
    <extracomment>{n} comment on this frame is not settled. / {n} comments on this frame are not settled. [procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
+   <translation>
+    <numerusform>本帧有 {n} 条评论未解决。</numerusform>
    </translation>
   </message>
   <message>
    <source>A tick in the Review panel settles a comment.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>在“审核”面板中勾选即表示评论已解决。</translation>
   </message>
   <message>
    <source>{n:,} of {total:,} frames are not done.</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>{total:,} 帧中有 {n:,} 帧未完成。</translation>
   </message>
   <message numerus="yes">
    <source>{n} frames are not saved, and saving failed again just now.</source>
@@ -3791,12 +3791,12 @@ Loses {loses}.</source>
   <message>
    <source>Export all</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>全部导出</translation>
   </message>
   <message>
    <source>Done only</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>仅已完成</translation>
   </message>
   <message>
    <source>Dismiss this message</source>
@@ -3836,7 +3836,7 @@ Loses {loses}.</source>
   <message>
    <source>Do not approve</source>
    <extracomment>[procc_annotator/gui/messages.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>不批准</translation>
   </message>
   <message>
    <source>Approve</source>
@@ -4199,7 +4199,7 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
   <message>
    <source>none judged</source>
    <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>不评判</translation>
   </message>
   <message>
    <source>several models</source>
@@ -4250,7 +4250,8 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
    <source>No cameras loaded.
 Load a folder of camera files or homographies to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/panels/cameras.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>未加载相机。
+加载相机文件或单应矩阵的文件夹，即可用您的点击评判它们。</translation>
   </message>
   <message>
    <source>Load folder…</source>
@@ -4498,22 +4499,22 @@ Class in files: {name}</source>
   <message>
    <source>far</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>远</translation>
   </message>
   <message>
    <source>right</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>右</translation>
   </message>
   <message>
    <source>near</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>近</translation>
   </message>
   <message>
    <source>left</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>左</translation>
   </message>
   <message>
    <source>Next: {title}, {before:.1f} → {after:.1f} px</source>
@@ -4523,7 +4524,7 @@ Class in files: {name}</source>
   <message>
    <source>Click an element</source>
    <extracomment>[procc_annotator/gui/panels/field_map/field_map_panel.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>点击元素</translation>
   </message>
   <message>
    <source>{shown:,} of {frames}</source>
@@ -4533,7 +4534,7 @@ Class in files: {name}</source>
   <message>
    <source>Show all frames</source>
    <extracomment>[procc_annotator/gui/panels/film_strip.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>显示所有帧</translation>
   </message>
   <message>
    <source>Error</source>
@@ -4577,7 +4578,7 @@ Open a folder of pictures to check their labels.</source>
   <message>
    <source>No problems so far.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>目前没有问题。</translation>
   </message>
   <message numerus="yes">
    <source>Nothing found but {n:,} ignored findings.</source>
@@ -4594,12 +4595,12 @@ Open a folder of pictures to check their labels.</source>
   <message>
    <source>The live fit is off: the full check needs it.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>实时拟合已关闭：完整检查需要它。</translation>
   </message>
   <message>
    <source>Full check needs a camera: {why}.</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>完整检查需要相机：{why}。</translation>
   </message>
   <message>
    <source>Blind: only committed frames are checked with a camera.</source>
@@ -5531,12 +5532,12 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>This frame is right (Ctrl+Shift+A)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>本帧正确（Ctrl+Shift+A）</translation>
   </message>
   <message>
    <source>Send it back (Ctrl+Shift+X)</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>退回（Ctrl+Shift+X）</translation>
   </message>
   <message>
    <source>Reject</source>
@@ -5576,8 +5577,8 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message numerus="yes">
    <source>to be confirmed (Shift+V): {n:,} elements</source>
    <extracomment>to be confirmed (Shift+V): {n:,} element / to be confirmed (Shift+V): {n:,} elements [procc_annotator/gui/panels/review.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
+   <translation>
+    <numerusform>待确认（Shift+V）：{n:,} 个元素</numerusform>
    </translation>
   </message>
   <message>
@@ -5659,13 +5660,13 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Camera wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>相机错误</translation>
   </message>
   <message>
    <source>Labels wrong</source>
    <comment>a verdict</comment>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>标注错误</translation>
   </message>
   <message>
    <source>The active camera is wrong in this frame</source>
@@ -5782,7 +5783,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>Verdict</source>
    <extracomment>[procc_annotator/gui/panels/scores.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>判定</translation>
   </message>
   <message>
    <source>Elements whose points all are closer than tau</source>
@@ -5901,7 +5902,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>choose the camera to judge first (C)</source>
    <extracomment>[procc_annotator/gui/state/availability.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>请先选择要评判的相机（C）</translation>
   </message>
   <message>
    <source>the live fit is off (Ctrl+T)</source>
@@ -6141,7 +6142,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>{folder} cannot be written: what is annotated here has to be saved elsewhere (File &gt; Save copies to…)</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>无法写入 {folder}：此处的标注须保存到别处（文件 &gt; 副本保存到…）</translation>
   </message>
   <message>
    <source>not everything is saved yet: the other dataset was not opened</source>
@@ -6166,7 +6167,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>the filter shows no further frame this way</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>此方向没有更多符合筛选的帧</translation>
   </message>
   <message>
    <source>{title}: its line could not be looked for: {why}</source>
@@ -6293,7 +6294,7 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
   <message>
    <source>Enter runs it · ↑ ↓ choose · Esc closes</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>回车执行 · ↑ ↓ 选择 · Esc 关闭</translation>
   </message>
   <message>
    <source>Panel</source>
@@ -6565,7 +6566,7 @@ Annotate and audit sports-camera calibrations.</source>
   <message>
    <source>Default keys</source>
    <extracomment>[procc_annotator/gui/window/key_dialogs.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>默认按键</translation>
   </message>
   <message>
    <source>Import…</source>
@@ -6796,7 +6797,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>JaC – {why}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>JaC – {why}</translation>
   </message>
   <message>
    <source>What the score is computed with: {terms}</source>
@@ -6838,12 +6839,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>拟合的 JaC {jac:.3f}</translation>
   </message>
   <message>
    <source>blind: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>盲标：提交后可见 JaC</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -6858,7 +6859,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Annotations are read from and saved as JSON next to the pictures. Drop a folder of cameras later, to see them judged against your clicks.</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>标注以 JSON 形式读取并保存在图片旁。之后拖入相机文件夹，即可用您的点击评判它们。</translation>
   </message>
   <message>
    <source>Open recent</source>
@@ -6918,7 +6919,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Reset all</source>
    <extracomment>[procc_annotator/gui/window/window_settings.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>全部重置</translation>
   </message>
   <message>
    <source>none of your own</source>
@@ -7074,12 +7075,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>click to draw; choose its class afterwards</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>点击绘制；之后选择类别</translation>
   </message>
   <message>
    <source>Backspace removes the last point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>退格移除最后一点</translation>
   </message>
   <message>
    <source>click marks it and goes on to {title}</source>
@@ -7094,7 +7095,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>click or drag a point, drag elsewhere to select several</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>点击或拖动点；在别处拖动可选择多个</translation>
   </message>
   <message>
    <source>arrows nudge {step:g} px, with Shift {fine:g} px, Ctrl {far:g} px</source>
@@ -7163,7 +7164,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>/ finds an element</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>/ 查找元素</translation>
   </message>
   <message>
    <source>DRAW</source>
@@ -7185,7 +7186,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Enter or double-click finishes, then choose the class</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>回车或双击完成，然后选择类别</translation>
   </message>
   <message numerus="yes">
    <source>DRAW {title}, {n} points</source>
@@ -7239,7 +7240,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>click starts it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>点击开始</translation>
   </message>
   <message>
    <source>click moves it here and goes on to {title}</source>
@@ -7254,8 +7255,8 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message numerus="yes">
    <source>Esc deselects {n} points</source>
    <extracomment>Esc deselects the point / Esc deselects {n} points [procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished">
-    <numerusform />
+   <translation>
+    <numerusform>Esc 取消选择 {n} 个点</numerusform>
    </translation>
   </message>
   <message>
@@ -7266,7 +7267,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>release selects all points inside</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>松开选择其中所有的点</translation>
   </message>
   <message>
    <source>EDIT point {number} of {title}</source>
@@ -7301,7 +7302,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>click a point to drag it, elsewhere to deselect</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>点击点以拖动，点击别处取消选择</translation>
   </message>
   <message numerus="yes">
    <source>Delete removes {n} points</source>
@@ -7313,7 +7314,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>click draws it by hand</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>点击手动绘制</translation>
   </message>
   <message numerus="yes">
    <source>Enter accepts {n} points</source>
@@ -7325,7 +7326,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>no line found along it</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>沿线未找到线</translation>
   </message>
   <message>
    <source>an element's key names it</source>
@@ -7360,7 +7361,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>hold Ctrl: no snapping</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>按住 Ctrl：不吸附</translation>
   </message>
   <message>
    <source>Delete removes {title}</source>
@@ -7397,7 +7398,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Esc removes the new point</source>
    <extracomment>[procc_annotator/interaction/hints.py]</extracomment>
-   <translation type="unfinished" />
+   <translation>Esc 移除新点</translation>
   </message>
   <message>
    <source>Esc lets go</source>
@@ -7612,7 +7613,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Write what could not be saved in its own place to another folder</source>
    <extracomment>[the action save_copies]</extracomment>
-   <translation type="unfinished" />
+   <translation>将无法保存到原位置的内容写入另一文件夹</translation>
   </message>
   <message>
    <source>Import annotations…</source>
@@ -7637,12 +7638,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Export annotations as JSON…</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation type="unfinished" />
+   <translation>将标注导出为 JSON…</translation>
   </message>
   <message>
    <source>Write the annotations of all frames as a folder or zip of JSON files</source>
    <extracomment>[the action export_annotations]</extracomment>
-   <translation type="unfinished" />
+   <translation>将所有帧的标注写为 JSON 文件的文件夹或 zip</translation>
   </message>
   <message>
    <source>Export JaC of the set…</source>
@@ -7902,7 +7903,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Show the next picture, of those that the filter shows</source>
    <extracomment>[the action next_frame]</extracomment>
-   <translation type="unfinished" />
+   <translation>在筛选所显示的图片中，显示下一张</translation>
   </message>
   <message>
    <source>Previous frame</source>
@@ -7912,7 +7913,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Show the previous picture, of those that the filter shows</source>
    <extracomment>[the action previous_frame]</extracomment>
-   <translation type="unfinished" />
+   <translation>在筛选所显示的图片中，显示上一张</translation>
   </message>
   <message>
    <source>Next unfinished</source>
@@ -8077,17 +8078,17 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Annotate all that is sure</source>
    <extracomment>[the action annotate_sure]</extracomment>
-   <translation type="unfinished" />
+   <translation>标注所有确定的帧</translation>
   </message>
   <message>
    <source>Annotate every frame of the dataset whose camera is found and sure, in one step; Next doubtful frame (Alt+PgDown) then goes through the others, the least sure first</source>
    <extracomment>[the action annotate_sure]</extracomment>
-   <translation type="unfinished" />
+   <translation>一步标注数据集中已找到相机且确定的所有帧；之后用“下一个存疑帧”（Alt+PgDown）逐个查看其余的帧，最不确定的在前</translation>
   </message>
   <message>
    <source>Take back what was accepted last</source>
    <extracomment>[the action take_back_stretch]</extracomment>
-   <translation type="unfinished" />
+   <translation>撤回最后接受的内容</translation>
   </message>
   <message>
    <source>Frames that were accepted last and not edited since are as they were before</source>
@@ -8277,12 +8278,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Confirm all unconfirmed elements</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation type="unfinished" />
+   <translation>确认所有未确认的元素</translation>
   </message>
   <message>
    <source>Copied and unfinished elements count and are saved from now on</source>
    <extracomment>[the action confirm_all]</extracomment>
-   <translation type="unfinished" />
+   <translation>复制的和未完成的元素从现在起计入并保存</translation>
   </message>
   <message>
    <source>Drop unconfirmed elements</source>
@@ -8292,7 +8293,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Remove copied and unfinished elements that were not edited</source>
    <extracomment>[the action drop_unconfirmed]</extracomment>
-   <translation type="unfinished" />
+   <translation>移除未编辑过的复制元素和未完成元素</translation>
   </message>
   <message>
    <source>Regularise all elements</source>
@@ -8402,7 +8403,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Confirm element</source>
    <extracomment>[the action confirm]</extracomment>
-   <translation type="unfinished" />
+   <translation>确认元素</translation>
   </message>
   <message>
    <source>The selected element counts and is saved from now on (in edit mode: Enter)</source>
@@ -8562,7 +8563,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>The ghost or the chosen element cannot be seen in this frame; once more takes it back</source>
    <extracomment>[the action not_visible]</extracomment>
-   <translation type="unfinished" />
+   <translation>该虚影或所选元素在本帧不可见；再按一次撤回</translation>
   </message>
   <message>
    <source>Take back “not visible here”</source>
@@ -8767,7 +8768,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>The field map has the side below that the camera stands on, and what the camera does not see is faint</source>
    <extracomment>[the action turn_map, the setting turn_map]</extracomment>
-   <translation type="unfinished" />
+   <translation>场地图下方为相机所在一侧，相机看不到的部分变淡</translation>
   </message>
   <message>
    <source>Picture on the field map</source>
@@ -8787,22 +8788,22 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Below the picture: thumbnails of the frames, or the timeline of a video</source>
    <extracomment>[the action strip, the setting strip]</extracomment>
-   <translation type="unfinished" />
+   <translation>图片下方：各帧的缩略图，或视频的时间轴</translation>
   </message>
   <message>
    <source>List of frames</source>
    <extracomment>[the action frames_list]</extracomment>
-   <translation type="unfinished" />
+   <translation>帧列表</translation>
   </message>
   <message>
    <source>Show the frames with their names and a filter at the left, instead of the strip; once more closes the list</source>
    <extracomment>[the action frames_list]</extracomment>
-   <translation type="unfinished" />
+   <translation>在左侧显示带名称和筛选的帧，代替帧条；再按一次关闭列表</translation>
   </message>
   <message>
    <source>Errors and JaC of the frame or the set, of all shown sources</source>
    <extracomment>[the action plots]</extracomment>
-   <translation type="unfinished" />
+   <translation>本帧或数据集的误差和 JaC，涵盖所有显示的源</translation>
   </message>
   <message>
    <source>Panels to annotate</source>
@@ -9062,7 +9063,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Camera wrong</source>
    <extracomment>[the action mark_camera]</extracomment>
-   <translation type="unfinished" />
+   <translation>相机错误</translation>
   </message>
   <message>
    <source>The active camera is wrong in this frame; once more takes the verdict back</source>
@@ -9072,7 +9073,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Labels wrong</source>
    <extracomment>[the action mark_annotation]</extracomment>
-   <translation type="unfinished" />
+   <translation>标注错误</translation>
   </message>
   <message>
    <source>The clicks are wrong in this frame; once more takes the verdict back</source>
@@ -9082,7 +9083,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>OK</source>
    <extracomment>[the action mark_fine]</extracomment>
-   <translation type="unfinished" />
+   <translation>无误</translation>
   </message>
   <message>
    <source>Camera and clicks are right in this frame; once more takes the verdict back</source>
@@ -9162,12 +9163,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Light, dark or system</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation type="unfinished" />
+   <translation>浅色、深色或跟随系统</translation>
   </message>
   <message>
    <source>System</source>
    <extracomment>[the setting theme]</extracomment>
-   <translation type="unfinished" />
+   <translation>跟随系统</translation>
   </message>
   <message>
    <source>Light</source>
@@ -9182,12 +9183,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Text size</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation type="unfinished" />
+   <translation>文字大小</translation>
   </message>
   <message>
    <source>Text size, % of system (after restart)</source>
    <extracomment>[the setting font_percent]</extracomment>
-   <translation type="unfinished" />
+   <translation>文字大小，系统的 %（重启后）</translation>
   </message>
   <message>
    <source>Language</source>
@@ -9197,7 +9198,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Language of the window (after restart); files stay as they are</source>
    <extracomment>[the setting language]</extracomment>
-   <translation type="unfinished" />
+   <translation>窗口的语言（重启后）；文件保持不变</translation>
   </message>
   <message>
    <source>What the colours over the picture say</source>
@@ -9207,12 +9208,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Author name</source>
    <extracomment>[the setting author]</extracomment>
-   <translation type="unfinished" />
+   <translation>作者姓名</translation>
   </message>
   <message>
    <source>Author name (empty = login name)</source>
    <extracomment>[the setting author]</extracomment>
-   <translation type="unfinished" />
+   <translation>作者姓名（空 = 登录名）</translation>
   </message>
   <message>
    <source>Judging</source>

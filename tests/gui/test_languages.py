@@ -254,7 +254,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(german, win
         ("mittel", "Mittellinie"),
         ("halfway", "Mittellinie"),
         ("textgr", "Textgröße…"),
-        ("size of t", "Textgröße…"),
+        ("text si", "Textgröße…"),
     ):
         window.palette_.search.setText(words)
         model = window.palette_.list.model()
@@ -275,7 +275,7 @@ def test_what_is_looked_for_is_found_by_its_name_and_its_english_one(german, win
 
     commands.show_settings()
     dialog = commands._dialog
-    for words in ("textgröße", "size of texts"):
+    for words in ("textgröße", "text size"):
         dialog.search.setText(words)
         shown = [row.setting.key for row in dialog.rows if not row.isHidden()]
         assert shown == ["font_percent"]

@@ -100,7 +100,7 @@ def test_every_setting_is_in_the_palette(window, qtbot):
         found = window.palette_._found(setting.shown.title, ())
         keys = {f"setting:{setting.key}", f"action:{setting.key}"}
         assert keys & {entry.key for entry in found[:4]}, setting.key
-    entry = window.palette_._found("size of texts", ())[0]
+    entry = window.palette_._found("text size", ())[0]
     entry.run()
     dialog = window.findChild(SettingsDialog)
     qtbot.waitUntil(lambda: QApplication.focusWidget() is row(dialog, "font_percent").editor)
