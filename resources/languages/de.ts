@@ -6940,12 +6940,12 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>JaC {jac:.3f} der Anpassung</translation>
+   <translation>JaC {jac:.3f} (fit)</translation>
   </message>
   <message>
    <source>blind: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>blind: abgeben, um den JaC zu sehen</translation>
+   <translation>blind: erst abgeben</translation>
   </message>
   <message>
    <source>no changes</source>

@@ -6940,12 +6940,12 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
   <message>
    <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>JaC {jac:.3f} del ajuste</translation>
+   <translation>JaC {jac:.3f} (fit)</translation>
   </message>
   <message>
    <source>blind: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>ciego: entregar para ver el JaC</translation>
+   <translation>ciego: por entregar</translation>
   </message>
   <message>
    <source>no changes</source>

@@ -6940,12 +6940,12 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
   <message>
    <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>JaC {jac:.3f} de l’ajustement</translation>
+   <translation>JaC {jac:.3f} (fit)</translation>
   </message>
   <message>
    <source>blind: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>aveugle : remettre pour voir le JaC</translation>
+   <translation>aveugle : à remettre</translation>
   </message>
   <message>
    <source>no changes</source>

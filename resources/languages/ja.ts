@@ -6839,12 +6839,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>JaC {jac:.3f} of the fit</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>当てはめの JaC {jac:.3f}</translation>
+   <translation>JaC {jac:.3f} (fit)</translation>
   </message>
   <message>
    <source>blind: commit to see JaC</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>ブラインド：提出すると JaC が見えます</translation>
+   <translation>ブラインド：未提出</translation>
   </message>
   <message>
    <source>no changes</source>
@@ -10223,12 +10223,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Near touchline</source>
    <extracomment>[the field futsal, the field soccer]</extracomment>
-   <translation>手前のタッチライン</translation>
+   <translation>手前タッチライン</translation>
   </message>
   <message>
    <source>Far touchline</source>
    <extracomment>[the field futsal, the field soccer]</extracomment>
-   <translation>奥のタッチライン</translation>
+   <translation>奥タッチライン</translation>
   </message>
   <message>
    <source>Halfway line</source>
@@ -10593,12 +10593,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Left goal left post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>左ゴールの左ポスト</translation>
+   <translation>左ゴール、左ポスト</translation>
   </message>
   <message>
    <source>Left goal right post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>左ゴールの右ポスト</translation>
+   <translation>左ゴール、右ポスト</translation>
   </message>
   <message>
    <source>Right goal crease</source>
@@ -10608,12 +10608,12 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
   <message>
    <source>Right goal left post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>右ゴールの左ポスト</translation>
+   <translation>右ゴール、左ポスト</translation>
   </message>
   <message>
    <source>Right goal right post</source>
    <extracomment>[the field ice_hockey_iihf, the field ice_hockey_nhl, the field soccer]</extracomment>
-   <translation>右ゴールの右ポスト</translation>
+   <translation>右ゴール、右ポスト</translation>
   </message>
   <message>
    <source>Left trapezoid near</source>
