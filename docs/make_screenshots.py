@@ -70,7 +70,7 @@ def take(window: MainWindow, name: str) -> None:
 
 
 class Film:
-    """An animation of what the window shows."""
+    """An animation of what the window shows, in the theme it has."""
 
     def __init__(self, window: MainWindow) -> None:
         self._window = window
@@ -87,9 +87,10 @@ class Film:
 
     def write(self, name: str) -> None:
         """Write it as animated WebP, which repeats."""
+        dark = "-dark" if is_dark(QApplication.palette()) else ""
         film = cv2.Animation()
         film.frames, film.durations = self._frames, self._durations_ms
-        path = str(PICTURES / f"{name}.webp")
+        path = str(PICTURES / f"{name}{dark}.webp")
         if not cv2.imwriteanimation(path, film, [cv2.IMWRITE_WEBP_QUALITY, FILM_QUALITY]):
             raise SystemExit(f"{path}: cannot be written")
 
@@ -327,8 +328,7 @@ def without_a_click(folder: Path) -> None:
         services.navigator.go_to(number)
         wait(2 * STEP_MS)
         film.add(STEP_MS)
-    if not is_dark(QApplication.palette()):  # one is enough to see how it goes
-        film.write("shot")
+    film.write("shot")
     window.close()
 
 
