@@ -44,7 +44,7 @@ def test_click_with_snap(window, report):
     services.navigator.go_to(1)
     places = near_lines(window, 10_000)
     services.selection.set_mode("draw")
-    services.selection.select_class("Circle left")
+    services.selection.select_class("Circle left", continues=True)
     QApplication.processEvents()
     before = len(points_px(services.state.annotation.get("Circle left"), SIZE))
     clicked: list[tuple[float, float]] = []
