@@ -260,7 +260,10 @@ class MainWindow(QMainWindow):
         self.ghost_tasks.accepting.progressed.connect(self.status.show_ghosts)
         self.worst_first.progressed.connect(self.status.show_comparing)
         accepting = self.stretch_accepting
-        accepting.changed.connect(lambda: self.status.set_work(accepting.words()))
+        sequence = services.sequence  # its strip says how far it is
+        accepting.changed.connect(
+            lambda: self.status.set_work("" if sequence.value is not None else accepting.words())
+        )
         self.triage.serve(self.scores.verdict)
         # Its reason should be in sight.
         self.label_check.walked.connect(lambda: self.panels.show_unless_hidden("findings"))

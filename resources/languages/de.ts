@@ -7820,9 +7820,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Als CSV schreiben, was die Klassenprüfung in den bisher geprüften Bildern fand</translation>
   </message>
   <message>
-   <source>Your name…</source>
+   <source>Author name…</source>
    <extracomment>[the action author]</extracomment>
-   <translation>Ihr Name…</translation>
+   <translation>Name des Autors…</translation>
   </message>
   <message>
    <source>The name your points, comments and versions bear</source>
@@ -7900,7 +7900,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Einstellungen…</translation>
   </message>
   <message>
-   <source>Theme, size of texts, and how the window draws, fits and judges</source>
+   <source>Theme, text size, and how the window draws, fits and judges</source>
    <extracomment>[the action settings]</extracomment>
    <translation>Farbschema, Textgröße, und wie das Fenster zeichnet, anpasst und urteilt</translation>
   </message>

@@ -7820,9 +7820,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Escribir como CSV lo que halló la revisión de clases en las imágenes revisadas hasta ahora</translation>
   </message>
   <message>
-   <source>Your name…</source>
+   <source>Author name…</source>
    <extracomment>[the action author]</extracomment>
-   <translation>Su nombre…</translation>
+   <translation>Nombre del autor…</translation>
   </message>
   <message>
    <source>The name your points, comments and versions bear</source>
@@ -7900,7 +7900,7 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Ajustes…</translation>
   </message>
   <message>
-   <source>Theme, size of texts, and how the window draws, fits and judges</source>
+   <source>Theme, text size, and how the window draws, fits and judges</source>
    <extracomment>[the action settings]</extracomment>
    <translation>Tema, tamaño de los textos, y cómo dibuja, ajusta y juzga la ventana</translation>
   </message>

@@ -7820,9 +7820,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Écrire en CSV ce que la vérification des classes a trouvé dans les images vérifiées jusqu’ici</translation>
   </message>
   <message>
-   <source>Your name…</source>
+   <source>Author name…</source>
    <extracomment>[the action author]</extracomment>
-   <translation>Votre nom…</translation>
+   <translation>Nom de l’auteur…</translation>
   </message>
   <message>
    <source>The name your points, comments and versions bear</source>
@@ -7900,7 +7900,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Paramètres…</translation>
   </message>
   <message>
-   <source>Theme, size of texts, and how the window draws, fits and judges</source>
+   <source>Theme, text size, and how the window draws, fits and judges</source>
    <extracomment>[the action settings]</extracomment>
    <translation>Thème, taille des textes, et comment la fenêtre dessine, ajuste et juge</translation>
   </message>

@@ -7706,9 +7706,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>これまでに検査したフレームのクラス検査の指摘を CSV に書き出します</translation>
   </message>
   <message>
-   <source>Your name…</source>
+   <source>Author name…</source>
    <extracomment>[the action author]</extracomment>
-   <translation>あなたの名前…</translation>
+   <translation>作成者名…</translation>
   </message>
   <message>
    <source>The name your points, comments and versions bear</source>
@@ -7786,7 +7786,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>設定…</translation>
   </message>
   <message>
-   <source>Theme, size of texts, and how the window draws, fits and judges</source>
+   <source>Theme, text size, and how the window draws, fits and judges</source>
    <extracomment>[the action settings]</extracomment>
    <translation>テーマ、文字の大きさ、描画・当てはめ・評価の方法</translation>
   </message>

@@ -7706,9 +7706,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>将已检查帧的类别检查结果写为 CSV</translation>
   </message>
   <message>
-   <source>Your name…</source>
+   <source>Author name…</source>
    <extracomment>[the action author]</extracomment>
-   <translation>您的姓名…</translation>
+   <translation>作者姓名…</translation>
   </message>
   <message>
    <source>The name your points, comments and versions bear</source>
@@ -7786,7 +7786,7 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>设置…</translation>
   </message>
   <message>
-   <source>Theme, size of texts, and how the window draws, fits and judges</source>
+   <source>Theme, text size, and how the window draws, fits and judges</source>
    <extracomment>[the action settings]</extracomment>
    <translation>主题、文字大小，以及窗口如何绘制、拟合和评判</translation>
   </message>

@@ -157,7 +157,7 @@ class CameraBar(QWidget):
         self.jac.setFixedWidth(min(widest, metrics.horizontalAdvance(f"{said}  ")))
         hidden = not services.state.projection_visible
         error = "" if hidden else services.scorer.shown.error
-        self.jac.setToolTip(error or tr(_JAC_TIP))
+        self.jac.setToolTip("\n".join(filter(None, (error or said, tr(_JAC_TIP)))))
         camera = services.scorer.camera
         ground_only = camera is not None and projects_only_ground(camera)
         terms = services.state.setup.describe(ground_only=ground_only)
