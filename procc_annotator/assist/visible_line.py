@@ -200,7 +200,7 @@ def _half_width(colours: Values, strip: StraightenedCurve) -> float:
     return float(np.clip((left + right - 1) * step / 2, 0.75, 5.0))
 
 
-_WIDTH_HITS = 3  # whose median a width is
+_WIDTH_HITS = 3  # a width is the median of this many
 _GROUND_PX = 5.5, 8.0
 
 

@@ -35,7 +35,7 @@ class OriginKind(StrEnum):
     COPIED = word("copied", "points")
     MOVED = word("moved", "points")
     SUGGESTED = word("accepted suggestion", "points")
-    # Found in the picture without a click; nobody has looked at it yet.
+    # Found in the picture without a click, not checked yet.
     PROPOSED = word("proposed", "points")
     ACCEPTED = word("accepted proposal", "points")  # of a camera found without a click, by a person
     # The program looked for paint there and found none.

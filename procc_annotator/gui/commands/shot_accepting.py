@@ -428,7 +428,7 @@ def _look(stretch: _Stretch, chosen: Mapping[int, TrackedFrame], control: JobCon
             try:
                 picture = pictures(frame.number)
             except ImageError:
-                continue  # told when that frame is opened
+                continue  # reported when that frame is opened
             assert frame.fit is not None
             annotation = _annotated(picture, stretch, stretch.frames[index].name, frame.fit)
             if annotation.annotated:
@@ -473,7 +473,7 @@ def _annotate_sure(dataset: _Dataset, control: JobControl) -> tuple[Found, Unsur
         try:
             picture = decode_for_camera(frame.image_path)
         except ImageError:
-            continue  # told when that frame is opened
+            continue  # reported when that frame is opened
         annotation = _annotated(picture, dataset, frame.name, fits[index])
         if annotation.annotated:
             found[index] = annotation
