@@ -64,7 +64,8 @@ def status(out: Out, price: Price = None, output: Output = None) -> None:
 def _listed(store: UnitStore) -> list[MatchUnits]:
     """The matches of the season as it is now; all, if it was moved."""
     try:
-        names = {match.name for match in list_matches(Path(store.terms[SOURCE])) or ()}
+        source = store.terms.get(SOURCE)
+        names = {match.name for match in (source and list_matches(Path(source))) or ()}
     except ProccError:
         names = set()
     return [one for one in store.matches() if one.match in names] or store.matches()

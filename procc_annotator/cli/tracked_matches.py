@@ -170,7 +170,8 @@ class TrackedMatches:
                 if there and store.has_other(name, self._stamp(name, there)):
                     raise UsageError(
                         f"{self._out}: holds {name} of other pictures or another field, from"
-                        f" {store.terms[SOURCE]}; choose another place, or --overwrite"
+                        f" {store.terms.get(SOURCE, 'another run')}; choose another place, or"
+                        " --overwrite"
                     )
 
     def is_kept(self, match: Match) -> bool:

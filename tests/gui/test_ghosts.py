@@ -222,7 +222,7 @@ class TestAccept:
         services = begun.services
         services.store.update(picture=np.full_like(services.navigator.picture, 90))
         name = go(begun, hand, qtbot)
-        assert "no line is found along it" in begun.canvas.hint
+        assert "no line found along it" in begun.canvas.hint
         hand.key(Key.Key_Return)
         assert services.state.annotation.get(name) is None
         assert current(begun) == name

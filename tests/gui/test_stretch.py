@@ -132,7 +132,7 @@ def test_doubtful_frames_are_accepted_by_pressing_once_more(window, shot, qtbot,
 
     accept(window, qtbot)
     assert files(shot) == ["00", "01", "02"]
-    assert said[-1].startswith("accepted 2 frames")
+    assert said[-1].startswith("annotated 2 frames")
 
     accept(window, qtbot)
     assert said[-1] == "no frame to accept: all that were followed are annotated"

@@ -107,7 +107,7 @@ class ShotWalk(QObject):
             self._services.say(tr("no other frame is unsure"))
             return
         place = (order.index(here) + step) % len(order) if here in unsure else 0
-        self._services.navigator.come_to(order[place])
+        self._services.navigator.go_to(order[place])
         self._services.say(
             tr("{place} of {total}, the least sure first", place=place + 1, total=len(order))
         )

@@ -450,11 +450,16 @@ def _annotate_sure(dataset: _Dataset, control: JobControl) -> tuple[Found, Unsur
     """In a thread: what each sure frame is to hold, and how sure the others are."""
     index_of = {dataset.frames[index].name: index for index in dataset.indices}
     asked = [dataset.frames[index] for index in dataset.indices if index not in dataset.tracked]
-    total = len(asked) + len(dataset.indices)
+    steps = len(asked) + len(dataset.indices)  # each frame is searched, then annotated
+
+    def progress(done: int) -> None:
+        total = len(dataset.indices)
+        control.progress_or_stop(done * total // steps, total)
+
     run, proposed = ProposalRun(asked, dataset.field, propose_camera), dict[str, Proposed]()
     for one in run if asked else ():
         proposed[one.name] = one
-        control.progress_or_stop(len(proposed), total)
+        progress(len(proposed))
     if (more := second_pass(run, list(proposed.values()))) is not None:
         for one in more.run:
             proposed[one.name] = more.better(one)
@@ -468,7 +473,7 @@ def _annotate_sure(dataset: _Dataset, control: JobControl) -> tuple[Found, Unsur
             unsure[index_of[name]] = 0.0 if one.proposal is None else one.proposal.probability
     found = Found()
     for done, index in enumerate(sorted(fits.keys() & set(dataset.indices))):
-        control.progress_or_stop(len(asked) + done, total)
+        progress(len(asked) + done)
         frame = dataset.frames[index]
         try:
             picture = decode_for_camera(frame.image_path)
