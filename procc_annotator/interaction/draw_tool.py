@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from procc_annotator.annotation import Point, point_from_px, points_px
+from procc_annotator.annotation import FrameAnnotation, Point, point_from_px, points_px
 from procc_annotator.dataset import editing
 from procc_annotator.dataset.records import PointKey
 from procc_annotator.interaction.gestures import (
@@ -41,6 +41,8 @@ class DrawTool:
     _snapped: set[Position] = field(default_factory=set)
     _spot_placed: bool = False  # by the click before, which a double click would repeat
     _first: Position | None = None  # where the first click was meant, if it may be snapped again
+    # What Escape cancelled: the annotation by then, and the points.
+    _cancelled: tuple[FrameAnnotation, list[Position]] | None = None
 
     @property
     def busy(self) -> bool:
@@ -73,7 +75,7 @@ class DrawTool:
     def press(self, position: Position, modifiers: Modifiers, context: ToolContext) -> Reaction:
         """Add a point; the first one finishes a spot, the second one a straight element where that
         is wanted."""
-        self._spot_placed = False
+        self._spot_placed, self._cancelled = False, None
         if not self.busy:
             begun = context.clicked_class or context.unnamed
             if begun is None:
@@ -127,9 +129,19 @@ class DrawTool:
             self.points.pop()
             return Reaction()
         if name == "Escape":
-            self.points.clear()
+            self._cancelled = context.annotation, self.points
+            self.points = []
             return Reaction(cancelled=True)
         return IGNORED
+
+    def restore(self, context: ToolContext) -> Reaction:
+        """Take the points back that Escape cancelled, unless something was done since."""
+        annotation, points = self._cancelled or (None, [])
+        self._cancelled = None
+        if self.busy or not points or annotation is not context.annotation:
+            return IGNORED
+        self.points = points
+        return Reaction(select=Selection(None if self.unnamed else self.class_name))
 
     def finish(self, context: ToolContext, *, finished: bool = False) -> Reaction:
         """Make what was clicked an edit; also used before anything that would leave the frame."""

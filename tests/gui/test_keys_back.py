@@ -170,3 +170,21 @@ class TestWhileDrawing:
         assert len(line.points if line is not None else ()) == points
         assert audited.canvas.editor.drawing is drawing
         assert audited.canvas.hasFocus()
+
+
+@pytest.mark.parametrize("named", [True, False])
+def test_undo_right_after_escape_takes_the_clicks_back(begun, named):
+    services, hand, editor = begun.services, Hand(begun), begun.canvas.editor
+    before = services.state.annotation
+    services.selection.select_class("Side line right" if named else None)
+    for x in (700, 750, 800):
+        hand.click(x, 300)
+    press(Qt.Key.Key_Escape)
+    assert not editor.drawing
+    begun.actions_["undo"].trigger()
+    assert len(editor._draw.points) == 3
+    press(Qt.Key.Key_Escape)
+    services.editing.edit("else", lambda seen: seen.without("Circle left"))
+    begun.actions_["undo"].trigger()  # what was done since is meant
+    assert not editor.drawing
+    assert services.state.annotation == before

@@ -221,7 +221,13 @@ class Editor(QObject):
         self._asked_first = takers
 
     def taken_first(self, name: str, shift: bool) -> bool:
-        """Return whether a key, or "Undo", was meant for none of the tools, and is done with."""
+        """Return whether a key, or "Undo", was meant for none of the tools, and is done with; Undo
+        right after Escape takes the clicks back that it cancelled."""
+        if name == "Undo" and self._tool is self._draw:
+            reaction = self._draw.restore(self._context())
+            self._do(reaction)
+            if reaction.handled:
+                return True
         return any(take(name, shift) for take in self._asked_first)
 
     def key(self, name: str, *, shift: bool = False) -> bool:
