@@ -321,7 +321,8 @@ def _cameras_below(source: FileSource, names: Collection[str]) -> list[str]:
         return []
     kinds = {splitext(name)[1] for name in names}
     below = [n for n in files if "/" in n and n not in names and splitext(n)[1] in kinds]
-    return [name for name in below if f"{ANNOTATIONS_FOLDER}/" not in name]
+    apart = ANNOTATIONS_FOLDER, UNSURE_FOLDER
+    return [name for name in below if not any(f"{own}/" in name for own in apart)]
 
 
 def camera_name(frame: str) -> str:

@@ -121,7 +121,8 @@ class ShotFollowing(QObject):
         if marked is not None and marked[0] <= number <= marked[1]:
             within = range(marked[0], marked[1] + 1)
         camera = self._camera_here()
-        if camera is None and services.prediction.doubt:
+        seen = services.prediction.found is not None and not services.state.annotation.annotated
+        if camera is None and seen and services.prediction.doubt:
             services.say(tr(_UNSURE_HERE))
         self._begin(number, camera, within)
 
