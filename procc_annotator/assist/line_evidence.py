@@ -212,7 +212,11 @@ def _along(
     at_clicks = np.full(len(every), np.nan)
     bases, directions = _expected_clicks(clicks, smooth=smooth)
     across = np.column_stack([-directions[:, 1], directions[:, 0]])
-    at_clicks[kept] = offsets(bases, directions) + ((bases - clicks) * across).sum(axis=1)
+    at_clicks[kept] = offsets(clicks, directions)
+    if shown is None:  # on bare ground clicks may be farther off than lines are looked for
+        expected = offsets(bases, directions) + ((bases - clicks) * across).sum(axis=1)
+        bare = _emptiness(picture, clicks, directions, None) == 1.0
+        at_clicks[kept] = np.where(np.isnan(at_clicks[kept]) & bare, expected, at_clicks[kept])
     return LineEvidence(size, places, found, segments, lengths, ends, empty, at_clicks)
 
 

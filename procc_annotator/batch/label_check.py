@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.set_run import (
@@ -41,12 +42,14 @@ class FrameToCheck:
         annotation: normalised points.
         size: (width, height) px of its picture, which distances are reported in.
         fitted: whether a camera may be fitted to it.
+        picture: of which the lines are examined; None: none.
     """
 
     name: str
     annotation: FrameAnnotation
     size: tuple[int, int]
     fitted: bool = True
+    picture: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -63,9 +66,10 @@ class CheckFrames:
     def _check(self, frame: FrameToCheck) -> FrameCheck | str:
         given = frame.annotation, field_for_frame(self.field, frame.name)
         try:
+            paint = _line_evidence(frame.picture, *given)
             if not frame.fitted:
-                return check_without_fit(*given, size=frame.size)
-            return check_frame(*given, size=frame.size, model=self.model)
+                return check_without_fit(*given, size=frame.size, paint=paint)
+            return check_frame(*given, size=frame.size, model=self.model, paint=paint)
         except ProccError as error:
             return str(error)
 
@@ -101,23 +105,25 @@ class CheckFiles(AnnotationTask):
 
     def _check(self, name: str, given: FitRequest, fit: FitResult) -> FrameCheck:
         annotation, field, size = given
-        paint = self._paint(name, annotation, field) if self.looks else None
+        picture = self.sizes.picture_of(name) if self.looks else None
+        paint = _line_evidence(picture, annotation, field)
         return check_frame(annotation, field, size=size, model=self.model, paint=paint, fit=fit)
 
-    def _paint(
-        self, name: str, annotation: FrameAnnotation, field: Field
-    ) -> Mapping[str, LineEvidence] | None:
-        path = self.sizes.picture_of(name)
-        if path is None:
-            return None
-        # OpenCV: only where there are pictures.
-        from procc_annotator.assist.line_evidence import line_evidence_by_class
-        from procc_annotator.image.decoding import decode_for_camera
 
-        try:
-            return line_evidence_by_class(annotation, decode_for_camera(path), field)
-        except ImageError:
-            return None  # its size is told by its header or the others, and nothing of paint
+def _line_evidence(
+    picture: Path | None, annotation: FrameAnnotation, field: Field
+) -> Mapping[str, LineEvidence] | None:
+    """What a picture shows along the elements, by class; None without a picture."""
+    if picture is None:
+        return None
+    # OpenCV: only where there are pictures.
+    from procc_annotator.assist.line_evidence import line_evidence_by_class
+    from procc_annotator.image.decoding import decode_for_camera
+
+    try:
+        return line_evidence_by_class(annotation, decode_for_camera(picture), field)
+    except ImageError:
+        return None  # its header or the others say its size
 
 
 def with_set_findings(

@@ -211,7 +211,12 @@ class Player:
         self.model.push(swapped)
 
     def undo(self) -> None:
+        """Clicks that Escape cancelled come back first, and go one by one."""
         self._step(CTRL)
+        if self.window.canvas.editor.drawing:
+            while self.window.canvas.editor.drawing:
+                self._step(CTRL)
+            self._step(CTRL)
         self.model.at = max(0, self.model.at - 1)
 
     def redo(self) -> None:

@@ -195,7 +195,8 @@ def _read(
     try:
         annotation = workspace.read(index)
         if annotation.annotated:
-            return FrameToCheck(frame.name, annotation, picture_size(frame.image_path), fitted)
+            picture = frame.image_path
+            return FrameToCheck(frame.name, annotation, picture_size(picture), fitted, picture)
     except (InputError, ImageError) as error:
         control.emit_partial((frame.name, str(error)))
     return None
