@@ -113,7 +113,7 @@ class CheckFiles(AnnotationTask):
 def _line_evidence(
     picture: Path | None, annotation: FrameAnnotation, field: Field
 ) -> Mapping[str, LineEvidence] | None:
-    """What a picture shows along the elements, by class; None without a picture."""
+    """Line evidence of a picture along the elements, by class; None without a picture."""
     if picture is None:
         return None
     # OpenCV: only where there are pictures.
