@@ -67,11 +67,13 @@ class HintLabel(ElidedLabel):
 
     def text_for(self, width: int) -> str:
         """Return what is shown in a width, px: keys go before the rest is shortened."""
-        advance, shown = self.fontMetrics().horizontalAdvance, self.text()
-        while advance(shown) > width and KEYS in shown:
+        elided, shown = self.fontMetrics().elidedText, self.text()
+        while (fitting := elided(shown, Qt.TextElideMode.ElideRight, width)) != shown:
+            if KEYS not in shown:
+                break
             first, _, keys = shown.rpartition(KEYS)
             shown = f"{first}{KEYS}{keys.rpartition(SEPARATOR)[0]}".removesuffix(KEYS)
-        return self.fontMetrics().elidedText(shown, Qt.TextElideMode.ElideRight, width)
+        return fitting
 
 
 class Readout(QLabel):
