@@ -100,8 +100,10 @@ class ShotWalk(QObject):
         self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, _DOUBTFUL)
 
     def _go_unsure(self, step: int) -> None:
-        here, annotated = self._services.state.frame_index, self._services.annotated_frames.indices
-        unsure = {i: p for i, p in self._unsure().items() if i == here or i not in annotated}
+        here, workspace = self._services.state.frame_index, self._services.state.workspace
+        assert workspace is not None
+        found = self._unsure().items()
+        unsure = {i: p for i, p in found if i == here or not is_annotated(workspace, i)}
         order = sorted(unsure, key=lambda index: (unsure[index], index))
         if not [index for index in order if index != here]:
             self._services.say(tr("no other frame is unsure"))

@@ -26,6 +26,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.editing.batch_edits import BatchEdits, EditedFrames, edit_frame
+from procc_annotator.gui.state.sequences import is_annotated
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import Level
 from procc_annotator.image.decoding import decode_for_camera
@@ -184,11 +185,10 @@ class StretchAccepting(QObject):
         workspace, sequence = services.state.workspace, services.sequence.value
         if workspace is None or not self._may_begin():
             return
-        annotated = services.annotated_frames.indices
         indices = [
             index
             for index, frame in enumerate(workspace.frames)
-            if index not in annotated and services.proposals.allowed_in(frame.name)
+            if services.proposals.allowed_in(frame.name) and not is_annotated(workspace, index)
         ]
         if not indices:
             services.say(tr(_ALL_ANNOTATED))
