@@ -255,7 +255,9 @@ class OverlayItem(QGraphicsItem):
         seen, after = self._painted_at, self._texts
         if seen is None or before == after:
             return []
-        return seen.areas_of(seen.beside_points(before) ^ seen.beside_points(after))
+        cursor = self.gesture.labels
+        was, now = seen.beside_points((*before, *cursor)), seen.beside_points((*after, *cursor))
+        return seen.areas_of(was ^ now)
 
     def _room(self, viewport: QSize) -> QRectF:
         """Return what can be seen of this item, in points of the viewport."""
@@ -306,7 +308,7 @@ class OverlayItem(QGraphicsItem):
                 paint_overlay(
                     painter, layer, scale=scale, offset=offset, clip=clip, room=seen,
                     text_times=text_times(),
-                    texts=() if layer.labels is self.gesture.labels else self._texts,
+                    texts=(*self._texts, *self.gesture.labels),
                 )  # fmt: skip
 
     @property
