@@ -206,7 +206,7 @@ class MainWindow(QMainWindow):
         self._centre = vbox(self.pages, self.strips, of=centre, spacing=0, margins=0)
         self._bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
         self.bars = BarStack(self._bars, self.pages)
-        self.bars.heightChanged.connect(self.canvas.set_covered)
+        self.bars.heightChanged.connect(self.canvas.comparison.set_top)
         self.setCentralWidget(centre)
 
     def _make_panels(self) -> None:
@@ -245,7 +245,6 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         services = self.services
         services.store.watch(select.frame, self._refresh_frame)
-        services.store.watch(select.frame, self._fit_below_bars)
         self.opening.camerasTracked.connect(self.source_memory.add)
         self.opening.secondChosen.connect(services.second_annotator.open)
         self.services.second_annotator.opened.connect(self._show_second)
@@ -280,11 +279,6 @@ class MainWindow(QMainWindow):
         self.pages.setCurrentWidget(self.welcome if frame is None else self.canvas)
         if opened or (frame is not None and not self.canvas.hasFocus() and self.frames.isHidden()):
             self.canvas.setFocus()
-
-    def _fit_below_bars(self) -> None:
-        """A frame comes whole; while it is on screen no bar moves it."""
-        self.bars.place()
-        self.canvas.fit_below_cover()
 
     def _show_menu(self, at: QPoint) -> None:
         """The menu of what is under the cursor."""

@@ -352,7 +352,8 @@ class TestStatusLine:
         window.status.tell("accepted 1 of 5 ghosts; skipped (under 50% visible): " + "front, " * 20)
         keys = hint.text().rpartition(KEYS)[2].split(SEPARATOR)
         shown = hint.text_for(1000)
-        assert shown.startswith("accepted 1 of 5 ghosts; skipped") and keys[0] in shown
+        assert shown.startswith("accepted 1 of 5 ghosts; skipped")
+        assert keys[0] in shown
         assert hint.fontMetrics().horizontalAdvance(shown) <= 1000
 
 

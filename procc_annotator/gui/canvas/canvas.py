@@ -123,11 +123,6 @@ class Canvas(PictureView):
         self.keys.keep_within()
         self.drawing.refresh_everywhere()
 
-    def set_covered(self, height: int) -> None:
-        """Bars lie over the top: what is pinned there makes room, the picture stays."""
-        super().set_covered(height)
-        self.comparison.set_top(height)
-
     def _show_whole(self) -> None:
         """The whole picture is there, or it turned out that it cannot be read."""
         state = self._services.state
