@@ -54,7 +54,8 @@ class _WholeTitles(QStyledItemDelegate):
     """Breaks a title that is wider than its column into lines."""
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
-        tree: QTreeWidget = option.widget
+        tree = option.widget
+        assert isinstance(tree, QTreeWidget)
         whole = not index.parent().isValid()  # a group's title has all columns
         room = tree.width() if whole else tree.columnWidth(NAME) - tree.indentation()
         option.rect = QRect(0, 0, room, 1)
