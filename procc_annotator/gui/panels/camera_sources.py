@@ -35,7 +35,6 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.camera.base import projects_only_ground
 from procc_annotator.dataset.computed_cameras import TRACK_NAME
-from procc_annotator.gui.panels.fit import MODEL_WORDS
 from procc_annotator.gui.panels.widgets import (
     ElidedLabel,
     make_label,
@@ -45,6 +44,7 @@ from procc_annotator.gui.panels.widgets import (
     vbox,
 )
 from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.prediction.live_fit import MODELS
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, fixed_width
 from procc_annotator.interaction.palette import SOURCE_COLOURS
@@ -148,7 +148,7 @@ class SourceRow(QFrame):
             label.setText(text)
             label.setToolTip(tip)
         self.model.set_text(self._model())
-        known = (MODEL_WORDS.get(model.removeprefix("pinhole ")) for model in source.models)
+        known = (MODELS.get(model.removeprefix("pinhole ")) for model in source.models)
         self.model.setToolTip("\n".join([self.model.text(), *map(tr, filter(None, known))]))
         problem = self._problem()
         show_note(self.problem, f"⚠ {problem}" if problem else "")

@@ -167,12 +167,12 @@ class PaletteEntries:
                 on=source is services.state.active,
                 english=f"Judge {source.name}",  # not shown
             )
-        for model in MODELS:
+        for model, words in MODELS.items():
             yield Entry(
                 _CAMERA,
                 tr("Live fit: model {model}", model=model),
                 partial(services.live_fit.set_model, model),
-                tr("Fit this model to the clicks; auto takes the simplest that they support"),
+                tr(words),
                 key=f"model:{model}",  # not shown
                 on=services.live_fit.model == model,
                 english=f"Live fit: model {model}",  # not shown
