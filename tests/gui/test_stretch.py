@@ -136,6 +136,9 @@ def test_doubtful_frames_are_accepted_by_pressing_once_more(window, shot, qtbot,
 
     accept(window, qtbot)
     assert said[-1] == "no frame to accept: all that were followed are annotated"
+    window.services.navigator.go_to(2)
+    press(window, Key.Key_Z, CTRL)
+    assert said[-1].startswith("undone: annotate 2 frames")
 
 
 def test_all_frames_doubtful_the_reason_is_said_before_any_is_accepted(
