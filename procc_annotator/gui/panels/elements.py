@@ -21,6 +21,7 @@ from procc_annotator.gui.canvas.finding_sign import finding_icon
 from procc_annotator.gui.keymap import NATIVE, element_keys, short_text
 from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
+    SIDE,
     ElementState,
     class_swatch,
     element_states,
@@ -103,6 +104,7 @@ class ElementsPanel(Panel):
         self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), "", ""])
         self.tree.headerItem().setToolTip(POINTS, tr("Annotated points"))
         self.tree.setIndentation(4)
+        self.tree.setIconSize(QSize(SIDE, SIDE))
         self.tree.setMouseTracking(True)
         self.tree.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.tree.setEditTriggers(QTreeWidget.EditTrigger.NoEditTriggers)
@@ -242,7 +244,8 @@ class ElementsPanel(Panel):
         most = max((count for _, count, *_ in self._shown.values()), default=0)
         states = {state for state, _, narrow, _ in self._shown.values() if not narrow}
         widest = max(map(self.fontMetrics().horizontalAdvance, map(words_for, states)), default=0)
-        room = len(str(most)), widest, self._narrow, signs
+        symbols = any(state is not ElementState.UNTOUCHED for state, *_ in self._shown.values())
+        room = len(str(most or "")), widest, symbols, self._narrow, signs
         if room != self._room:
             self._room = room
             self.tree.scheduleDelayedItemsLayout()
