@@ -60,7 +60,12 @@ PointKey = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Comment:
-    """A remark on a frame; ``time`` in seconds since 1970, UTC."""
+    """A remark on a frame, or on a place in it.
+
+    Attributes:
+        time: seconds since 1970, UTC.
+        place: x, y in px of the picture; None for the frame as a whole.
+    """
 
     id: str
     frame: str
@@ -68,6 +73,7 @@ class Comment:
     time: float
     text: str
     resolved: bool = False
+    place: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -231,6 +231,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
           "This frame is not done after all", args=("in progress",)),
     _spec("Frame", "comment", "-Comment…", "Ctrl+M", "panels.enter",
           "Write to the thread of this frame", args=("review",)),
+    _spec("Frame", "comment_here", "Comment on this place…", "Ctrl+Shift+M", "comment_here",
+          "Write a comment on the place at the cursor; a numbered pin marks it in the picture"),
     _spec("Frame", "versions", "Earlier versions…", "Ctrl+Shift+V", "versions.ask",
           "Look at every saved version of this frame and bring one back"),
     _spec("Frame", "group_views", "Group views…", "", "view_grouping.ask",

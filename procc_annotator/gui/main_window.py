@@ -252,6 +252,7 @@ class MainWindow(QMainWindow):
         for panel in (self.elements, self.frames, self.review, self.landmarks):
             panel.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
+        self.canvas.pins.clicked.connect(lambda: self.panels.show_unless_hidden("review"))
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
         self.side_bar.looks.lookChanged.connect(self.canvas.shown.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
@@ -303,6 +304,12 @@ class MainWindow(QMainWindow):
         menu.deleteLater()
 
     # --- panels ---------------------------------------------------------------------------
+
+    def comment_here(self) -> None:
+        """Begin a comment on the place that is pointed at; on the whole frame where none is."""
+        place = self.canvas.pointed_px
+        self.panels.enter("review")
+        self.services.review.point_out(new_place=place)
 
     def _show_strip(self) -> None:
         """The frames have one place: the strip, or the list; none where all panels are hidden."""

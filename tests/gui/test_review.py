@@ -5,7 +5,8 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 
 from procc_annotator.dataset.database.database import WorkspaceDatabase
@@ -154,6 +155,40 @@ class TestComments:
         item.setCheckState(Qt.CheckState.Checked)
         (settled,) = services.review.comments("frame_0")
         assert settled.resolved
+
+    @pytest.mark.parametrize("way", ["key", "menu"])
+    def test_a_comment_is_pinned_to_a_place(self, window, hand, qtbot, monkeypatch, way):
+        panel, place = window.review, hand.picture(300, 200)
+        hand.move(300, 200)
+        if way == "key":
+            QTest.keyClick(window.canvas, Qt.Key.Key_M, CTRL | SHIFT)
+        else:
+            exec_ = "procc_annotator.gui.window.menus._CanvasMenu.exec"
+            comment = window.actions_["comment_here"]
+            monkeypatch.setattr(exec_, lambda menu, _: comment.trigger())
+            at = hand.at(300, 200)
+            reason = QContextMenuEvent.Reason.Mouse
+            window.canvas.contextMenuEvent(QContextMenuEvent(reason, at, at))
+        qtbot.waitUntil(panel.text.hasFocus)
+        qtbot.keyClicks(panel.text, "wrong line")
+        QTest.keyClick(panel.text, Qt.Key.Key_Return)
+        (comment,) = window.services.review.comments("frame_0")
+        assert comment.place == pytest.approx(place)
+        window.services.review.add_comment("frame_0", "of the whole frame")
+        qtbot.waitUntil(lambda: panel.comments.count() == 2)
+        assert not panel.comments.selectedItems()
+
+        on_pin = hand.at(*place) - QPoint(0, 22)  # its head
+        QTest.mouseClick(window.canvas.viewport(), Qt.MouseButton.LeftButton, pos=on_pin)
+        assert not window.canvas.editor.drawing
+        assert [i.text()[:3] for i in panel.comments.selectedItems()] == ["[1]"]
+        assert window.finding_tips.tip_at(QPointF(on_pin)) == "wrong line"
+
+        item = panel.comments.visualItemRect(panel.comments.item(0)).center()
+        QTest.mouseClick(panel.comments.viewport(), Qt.MouseButton.LeftButton, pos=item)
+        assert (window.canvas.place.x, window.canvas.place.y) == pytest.approx(place, abs=1)
+        window.services.navigator.next_frame()
+        assert window.canvas.pins.at(QPointF(hand.at(*place) - QPoint(0, 22))) is None
 
     def test_escape_gives_the_keyboard_back(self, window, hand):
         window.panels.enter("review")

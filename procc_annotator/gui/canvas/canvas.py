@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
 from procc_annotator.gui.canvas.camera_drag import CameraDrag
 from procc_annotator.gui.canvas.canvas_keys import HeldKey, HeldKeys, KeyPointing, modifiers_of
+from procc_annotator.gui.canvas.comment_pins import CommentPins
 from procc_annotator.gui.canvas.comparison import OtherSources
 from procc_annotator.gui.canvas.drawing import OverlayDrawing
 from procc_annotator.gui.canvas.editor import Editor
@@ -60,6 +61,7 @@ class Canvas(PictureView):
         self.maps = MetreMaps(services, self.viewport(), self.scene())
         self.found_plate = FoundPlate(services, self)
         self.blind_frame = BlindFrame(services, self)
+        self.pins = CommentPins(services, self)
         self.legend = CornerLegend(services, self, self.comparison)
         self.legend.stood.connect(self.overlay_item.keep_clear)
         self.camera_drag = CameraDrag(services, self, self.editor)
@@ -76,6 +78,7 @@ class Canvas(PictureView):
         )
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
+        self._menu_px: tuple[float, float] | None = None  # where the menu was asked for
         self._hint = ""
         self._hint_soon = after_paint(self, self._say_hint)
         # While the user drags something, who only reads where it is can wait for the next frame.
@@ -96,6 +99,7 @@ class Canvas(PictureView):
         self.shown.changed.connect(self._show_picture)
         self.editor.changed.connect(self.drawing.refresh_gesture)
         self.drawing.drawn.connect(self._place_loupe)
+        self.drawing.drawn.connect(lambda: self.pins.set_hidden(self.drawing.hidden))
         self.drawing.told.connect(self._hint_soon.start)
         self.keys.pointed.connect(self.point_at)
         self.keys.forgotten.connect(self._forget_cursor)
@@ -231,13 +235,20 @@ class Canvas(PictureView):
         self.drawing.refresh_gesture()
         self._say_cursor()
 
+    @property
+    def pointed_px(self) -> tuple[float, float] | None:
+        """Return the place that the menu, the crosshair or the mouse is at, picture px."""
+        return self._menu_px or self.keys.crosshair.px or self.cursor_px
+
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         event.accept()
         if self.editor.holding or self.camera_drag.dragging or self.panning:
             return  # a menu would take the release that ends it
         if event.reason() == QContextMenuEvent.Reason.Mouse:
-            self.editor.point_at(self.to_picture(QPointF(event.pos())))
+            self._menu_px = self.to_picture(QPointF(event.pos()))
+            self.editor.point_at(self._menu_px)
             self.menuWanted.emit(event.globalPos())
+            self._menu_px = None
             return
         at = self.viewport().rect().center()
         if (px := self.keys.crosshair.px) is not None:
@@ -258,6 +269,8 @@ class Canvas(PictureView):
         if self._wants_pan(event):
             self._start_pan(event)
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
+            if not self.editor.drawing and self.pins.press(event.position()):
+                return
             self.cursor_px = self.to_picture(event.position())
             self._services.navigator.see_whole()  # its lines are snapped to
             self.editor.press(self.cursor_px, modifiers_of(event.modifiers()))

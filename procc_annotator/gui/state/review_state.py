@@ -40,6 +40,7 @@ from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.store import Store
+from procc_annotator.interaction.gestures import Position
 from procc_annotator.translation import tr
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
@@ -58,12 +59,15 @@ class ReviewState(QObject):
     statusChanged = Signal(str)  # status, comments, verdicts or time of a frame, or of all ("")
     originsChanged = Signal()  # how the points of the frame on screen came to be
     notVisibleChanged = Signal(str)  # frame; of another window's doing only that on screen
+    pinsChanged = Signal()  # the comment that is chosen, or the place of a new one
     settingChanged = Signal(str)  # the key of a dataset's setting, also changed elsewhere
 
     def __init__(self, store: Store) -> None:
         super().__init__(store)
         self._store = store
         self.database: WorkspaceDatabase | None = None
+        self.chosen_comment = ""  # its id
+        self.new_place: Position | None = None  # of a comment that is being written, picture px
         self._origins: dict[str, dict[PointKey, Origin]] = {}
         self._before_edits: dict[str, tuple[Status, FrameAnnotation]] = {}
         self._frame: str | None = None
@@ -160,11 +164,17 @@ class ReviewState(QObject):
         """The thread of a frame, oldest first."""
         return self.database.comments(frame) if self.database is not None else ()
 
-    def add_comment(self, frame: str, text: str) -> None:
-        """Add to the thread of a frame; blank text is no comment."""
+    def add_comment(self, frame: str, text: str, place: Position | None = None) -> None:
+        """Add to the thread of a frame, on a ``place`` in it if given; not a blank text."""
         if self.database is not None and text.strip():
-            self.database.add_comment(frame, text.strip())
+            self.database.add_comment(frame, text.strip(), place)
             self.statusChanged.emit(frame)
+
+    def point_out(self, comment: str = "", new_place: Position | None = None) -> None:
+        """Show which comment (its id) is meant, or where the one being written will stand."""
+        if (comment, new_place) != (self.chosen_comment, self.new_place):
+            self.chosen_comment, self.new_place = comment, new_place
+            self.pinsChanged.emit()
 
     def resolve_comment(self, comment: Comment, resolved: bool) -> None:
         """Settle a comment, or open it again."""

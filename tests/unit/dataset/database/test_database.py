@@ -59,7 +59,7 @@ def test_everything_comes_back(opened, frame):
     first.commit(frame)
     first.add_seconds(frame, 1.5)
     first.add_seconds(frame, 2.0)
-    comment = first.add_comment(frame, "odd \udcff\0 text")
+    comment = first.add_comment(frame, "odd \udcff\0 text", (12.5, 700.0))
     first.put_origins(frame, {(0.1 + 0.2, -1e-300): _origin()})
     first.put_origins(frame, {(0.1 + 0.2, -1e-300): _origin(9.0), (2.0, 3.0): _origin()})
     first.set_draft(frame, b"\0draft")
@@ -92,6 +92,7 @@ def test_everything_comes_back(opened, frame):
     assert third.drafts() == ()
     assert third.record(frame).comments == 1
     assert third.comments(frame)[0].resolved
+    assert third.comments(frame)[0].place == (12.5, 700.0)
 
 
 def test_last_frame_belongs_to_the_author(opened):
