@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent, QCursor, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 
 from procc_annotator.gui.canvas.canvas import Canvas
@@ -253,6 +253,8 @@ class MainWindow(QMainWindow):
             panel.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
         self.canvas.pins.clicked.connect(lambda: self.panels.show_unless_hidden("review"))
+        fields = self.actions_.menus["File/Field"]
+        self.canvas.found_plate.clicked.connect(lambda: fields.popup(QCursor.pos()))
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
         self.side_bar.looks.lookChanged.connect(self.canvas.shown.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)

@@ -85,6 +85,13 @@ def unlikely_in_sight(
     return frozenset(name for name, share in zip(views.names, seen, strict=True) if share < few)
 
 
+def often_in_sight(field: Field, size: tuple[int, int]) -> tuple[str, ...]:
+    """The lines of a field, those first that most of the usual cameras show."""
+    views, _ = _weighted_views(field, size, {})
+    seen = (np.isfinite(views.x).mean(axis=0) > _SHOWN_SHARE).mean(axis=1)
+    return tuple(views.names[row] for row in np.argsort(-seen, kind="stable"))
+
+
 def _weighted_views(
     field: Field, size: tuple[int, int], known: Mapping[str, FloatArray]
 ) -> tuple[_ExpectedViews, Float32]:

@@ -59,6 +59,7 @@ class ShotWalk(QObject):
         """Stay where it is; ``unsure`` has the probabilities of frames by index."""
         super().__init__(window)
         self._services, self._window, self._unsure = services, window, unsure
+        self._walked: Mapping[int, float] = {}  # the unsure frames that are gone through
         self._at: int | None = None  # where playing is
         self._clock = QTimer(self, singleShot=True)
         self._clock.timeout.connect(self._play_on)
@@ -102,17 +103,19 @@ class ShotWalk(QObject):
     def _go_unsure(self, step: int) -> None:
         here, workspace = self._services.state.frame_index, self._services.state.workspace
         assert workspace is not None
-        found = self._unsure().items()
-        unsure = {i: p for i, p in found if i == here or not is_annotated(workspace, i)}
+        unsure = self._unsure()
+        begun, self._walked = unsure is self._walked and here in unsure, unsure
         order = sorted(unsure, key=lambda index: (unsure[index], index))
-        if not [index for index in order if index != here]:
+        left = [p for p, i in enumerate(order) if i != here and not is_annotated(workspace, i)]
+        if not left:
             self._services.say(tr("no other frame is unsure"))
             return
-        place = (order.index(here) + step) % len(order) if here in unsure else 0
+        at = order.index(here) if begun else -1
+        place = ([p for p in left if (p - at) * step > 0] or left)[0 if step > 0 else -1]
         self._services.navigator.go_to(order[place])
-        self._services.say(
-            tr("{place} of {total}, the least sure first", place=place + 1, total=len(order))
-        )
+        words = tr("{place} of {total}, the least sure first", place=place + 1, total=len(order))
+        last = tr("this is the last one") if place == left[-1] else ""
+        self._services.say("; ".join(filter(None, (words, last))))
 
     def _go(self, indices: Iterable[int], step: int, what: str) -> None:
         here = self._services.state.frame_index

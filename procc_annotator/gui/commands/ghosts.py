@@ -95,13 +95,13 @@ class GhostCommands(QObject):
     def _why_not_found(self) -> str:
         """Nothing is annotated, and no camera was found without that."""
         services = self._services
+        advice = self._ghosts.advice
         if services.proposals.here is None:
-            return tr("no ghosts: annotate three or four elements, a camera follows from them")
+            return tr("no ghosts: {advice}, a camera follows from them", advice=advice)
         if services.sequence.value is None:
-            return tr("no camera was found in this picture: draw three or four elements")
+            return tr("no camera was found in this picture: {advice}", advice=advice)
         return tr(
-            "no camera was found in this picture: draw three or four elements, or follow the shot"
-            " (T)"
+            "no camera was found in this picture: {advice}, or follow the shot (T)", advice=advice
         )
 
     def _why_off(self) -> str:
@@ -203,12 +203,15 @@ class GhostCommands(QObject):
     # --- keys -----------------------------------------------------------------------------
 
     def key(self, name: str, shift: bool) -> bool:
-        """Take Enter, Shift+Enter, Escape or Undo while nothing is drawn; False if it is not meant
-        for ghosts."""
+        """Take Enter, Shift+Enter, Escape, Delete or Undo while nothing is drawn; False if it is
+        not meant for ghosts."""
         services, ghosts = self._services, self._ghosts
+        free = services.state.selected_class is None and services.state.frame is not None
         if name in ("Escape", "Undo") and self.accepting.busy:
             self.accepting.drop(tr("taken back") if name == "Undo" else "")
             return True
+        if name in ("Delete", "Undo") and free and services.prediction.is_proposed:
+            return services.proposals.reject(name == "Delete")
         if name == "Escape" and ghosts.walking:
             ghosts.leave()
             return True
@@ -223,6 +226,10 @@ class GhostCommands(QObject):
                 return True
         if ghosts.walking:
             self.accept()
+            return True
+        first = ghosts.first_to_draw if free and services.state.mode == "draw" else ()
+        if first and not ghosts.painted and not services.state.annotation.polylines:
+            services.selection.select_class(first[0])
             return True
         return False
 
