@@ -27,7 +27,7 @@ from procc_annotator.gui.state.store import Store, When
 from procc_annotator.interaction.class_choice import next_element
 from procc_annotator.translation import tr
 
-_FIRST = 4  # classes that are named to begin with
+_FIRST = 3  # classes that are named to begin with
 _KEPT = 32  # ghosts whose points are kept, more than there are in any frame
 
 
