@@ -252,7 +252,8 @@ class MainWindow(QMainWindow):
         for panel in (self.elements, self.frames, self.review, self.landmarks):
             panel.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
-        self.canvas.pins.clicked.connect(lambda: self.panels.show_unless_hidden("review"))
+        chosen = services.review.commentChosen
+        chosen.connect(lambda _: self.panels.show_unless_hidden("review"))
         fields = self.actions_.menus["File/Field"]
         self.canvas.found_plate.clicked.connect(lambda: fields.popup(QCursor.pos()))
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
@@ -311,7 +312,7 @@ class MainWindow(QMainWindow):
         """Begin a comment on the place that is pointed at; on the whole frame where none is."""
         place = self.canvas.pointed_px
         self.panels.enter("review")
-        self.services.review.point_out(new_place=place)
+        self.services.review.begin_comment(place)
 
     def _show_strip(self) -> None:
         """The frames have one place: the strip, or the list; none where all panels are hidden."""

@@ -5,7 +5,7 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 
@@ -178,17 +178,18 @@ class TestComments:
         qtbot.waitUntil(lambda: panel.comments.count() == 2)
         assert not panel.comments.selectedItems()
 
-        on_pin = hand.at(*place) - QPoint(0, 22)  # its head
+        qtbot.waitUntil(lambda: window.canvas.overlay_item.text_at(hand.at(312, 185)) == "✎ 1")
+        on_pin = hand.at(312, 185)
         QTest.mouseClick(window.canvas.viewport(), Qt.MouseButton.LeftButton, pos=on_pin)
         assert not window.canvas.editor.drawing
-        assert [i.text()[:3] for i in panel.comments.selectedItems()] == ["[1]"]
+        assert [i.text()[:3] for i in panel.comments.selectedItems()] == ["✎ 1"]
         assert window.finding_tips.tip_at(QPointF(on_pin)) == "wrong line"
 
         item = panel.comments.visualItemRect(panel.comments.item(0)).center()
         QTest.mouseClick(panel.comments.viewport(), Qt.MouseButton.LeftButton, pos=item)
         assert (window.canvas.place.x, window.canvas.place.y) == pytest.approx(place, abs=1)
-        window.services.navigator.next_frame()
-        assert window.canvas.pins.at(QPointF(hand.at(*place) - QPoint(0, 22))) is None
+        window.services.review.resolve_comment(comment, True)
+        assert window.services.review.pins == {}
 
     def test_escape_gives_the_keyboard_back(self, window, hand):
         window.panels.enter("review")

@@ -15,9 +15,9 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
+from procc_annotator.dataset.records import Comment
 from procc_annotator.gui.canvas.camera_drag import CameraDrag
 from procc_annotator.gui.canvas.canvas_keys import HeldKey, HeldKeys, KeyPointing, modifiers_of
-from procc_annotator.gui.canvas.comment_pins import CommentPins
 from procc_annotator.gui.canvas.comparison import OtherSources
 from procc_annotator.gui.canvas.drawing import OverlayDrawing
 from procc_annotator.gui.canvas.editor import Editor
@@ -61,7 +61,6 @@ class Canvas(PictureView):
         self.maps = MetreMaps(services, self.viewport(), self.scene())
         self.found_plate = FoundPlate(services, self)
         self.blind_frame = BlindFrame(services, self)
-        self.pins = CommentPins(services, self)
         self.legend = CornerLegend(services, self, self.comparison)
         self.legend.stood.connect(self.overlay_item.keep_clear)
         self.camera_drag = CameraDrag(services, self, self.editor)
@@ -99,7 +98,6 @@ class Canvas(PictureView):
         self.shown.changed.connect(self._show_picture)
         self.editor.changed.connect(self.drawing.refresh_gesture)
         self.drawing.drawn.connect(self._place_loupe)
-        self.drawing.drawn.connect(lambda: self.pins.set_hidden(self.drawing.hidden))
         self.drawing.told.connect(self._hint_soon.start)
         self.keys.pointed.connect(self.point_at)
         self.keys.forgotten.connect(self._forget_cursor)
@@ -240,6 +238,10 @@ class Canvas(PictureView):
         """Return the place that the menu, the crosshair or the mouse is at, picture px."""
         return self._menu_px or self.keys.crosshair.px or self.cursor_px
 
+    def comment_at(self, cursor: QPointF) -> Comment | None:
+        """Return the comment whose pin is at a position of the viewport."""
+        return self._services.review.pins.get(self.overlay_item.text_at(cursor))
+
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         event.accept()
         if self.editor.holding or self.camera_drag.dragging or self.panning:
@@ -269,7 +271,9 @@ class Canvas(PictureView):
         if self._wants_pan(event):
             self._start_pan(event)
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
-            if not self.editor.drawing and self.pins.press(event.position()):
+            comment = self.comment_at(event.position())
+            if comment is not None and not self.editor.drawing:
+                self._services.review.commentChosen.emit(comment)
                 return
             self.cursor_px = self.to_picture(event.position())
             self._services.navigator.see_whole()  # its lines are snapped to

@@ -34,14 +34,7 @@ from procc_annotator.translation import tr, word
 _SLOWEST_MS = 1000  # between frames that lie seconds apart, nobody wants to wait as long
 
 
-# (forward, what is looked for) -> what is said if absent.
-_ANNOTATED, _DOUBTFUL = "annotated", "doubtful"
-_NO_OTHER = {
-    (True, _ANNOTATED): word("no frame after this one is annotated"),
-    (False, _ANNOTATED): word("no frame before this one is annotated"),
-    (True, _DOUBTFUL): word("no frame after this one is doubtful"),
-    (False, _DOUBTFUL): word("no frame before this one is doubtful"),
-}
+_NO_OTHER = word("no further frame this way: {what}")
 
 
 class ShotWalk(QObject):
@@ -79,7 +72,7 @@ class ShotWalk(QObject):
         """Go to the nearest annotated frame after (1) or before (-1) this one."""
         indices = self._services.annotated_frames.indices
         if self._has_order():
-            self._go(indices, step, _ANNOTATED)
+            self._go(indices, step, tr("none is annotated"))
 
     def go_doubtful(self, step: int) -> None:
         """Go through the frames that are not sure, the least sure first; without such to the
@@ -98,7 +91,8 @@ class ShotWalk(QObject):
             self._services.say(tr("no shot was followed yet (T)"))
             return
         index_of = sequence.index_of
-        self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, _DOUBTFUL)
+        doubtful = (index_of[n] for n in index_of if _doubtful(tracked, n))
+        self._go(doubtful, step, tr("none is doubtful"))
 
     def _go_unsure(self, step: int) -> None:
         here, workspace = self._services.state.frame_index, self._services.state.workspace
@@ -123,7 +117,7 @@ class ShotWalk(QObject):
         if beyond:
             self._services.navigator.come_to(min(beyond) if step > 0 else max(beyond))
         else:
-            self._services.say(tr(_NO_OTHER[step > 0, what]))
+            self._services.say(tr(_NO_OTHER, what=what))
 
     def _has_order(self) -> bool:
         if self._services.sequence.value is None:
@@ -206,32 +200,18 @@ class StatusWalk:
 
     def go_unannotated(self, step: int) -> None:
         """The nearest frame without annotation after (1) or before (-1) this one."""
-        self._go(
-            step,
-            lambda workspace, index: not is_annotated(workspace, index),
-            tr("every frame after this one is annotated")
-            if step > 0
-            else tr("every frame before this one is annotated"),
-        )
+        what = tr("all are annotated")
+        self._go(step, lambda workspace, index: not is_annotated(workspace, index), what)
 
     def go_unfinished(self, step: int) -> None:
         """The nearest frame after (1) or before (-1) this one that is neither done nor approved."""
-        self._go(
-            step,
-            lambda workspace, index: self._status(workspace, index) in UNFINISHED,
-            tr("every frame after this one is done or approved")
-            if step > 0
-            else tr("every frame before this one is done or approved"),
-        )
+        what = tr("all are done or approved")
+        self._go(step, lambda *frame: self._status(*frame) in UNFINISHED, what)
 
     def go_rejected(self) -> None:
         """The next rejected frame; after the last one it begins again."""
-        self._go(
-            1,
-            lambda workspace, index: self._status(workspace, index) is Status.REJECTED,
-            tr("no other frame is rejected"),
-            around=True,
-        )
+        what = tr("none is rejected")
+        self._go(1, lambda *frame: self._status(*frame) is Status.REJECTED, what, around=True)
 
     def _status(self, workspace: Workspace, index: int) -> Status:
         return self._services.review.status(workspace.frames[index].name)
@@ -240,7 +220,7 @@ class StatusWalk:
         self,
         step: int,
         wanted: Callable[[Workspace, int], bool],
-        none_left: str,
+        what: str,
         *,
         around: bool = False,
     ) -> None:
@@ -254,7 +234,7 @@ class StatusWalk:
         shown = (index for index in order if within is None or index in within)
         found = next((index for index in shown if wanted(workspace, index)), None)
         if found is None:
-            services.say(none_left)
+            services.say(tr(_NO_OTHER, what=what))
         else:
             services.navigator.go_to(found)
 

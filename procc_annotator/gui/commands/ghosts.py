@@ -42,7 +42,7 @@ class GhostCommands(QObject):
         self._services, self._say = services, services.say
         self._ghosts = services.ghosts
         self._canvas = canvas
-        self.accepting = GhostAccepting(services, canvas, settings, self)
+        self.accepting = GhostAccepting(services, settings, self)
         self._before: _Before | None = None
         self._shown: str | None = None  # the class of the ghost the view went to
         self._choosing = False
@@ -84,25 +84,13 @@ class GhostCommands(QObject):
         if insight.fit.camera is None and self._services.proposals.working:
             return tr("no ghosts: the camera is looked for in the picture")
         if insight.fit.camera is None and not self._services.state.annotation.annotated:
-            return self._why_not_found()
+            return tr("no ghosts: no camera is known; {advice}", advice=self._ghosts.advice)
         if insight.fit.camera is None:
             why = insight.fit.failure or tr("no camera fits yet")
             return tr("no ghosts: {why}", why=why)
         if not self._ghosts.known:
             return tr("no ghosts: what else is in sight is annotated, or not known well enough")
         return ""
-
-    def _why_not_found(self) -> str:
-        """Nothing is annotated, and no camera was found without that."""
-        services = self._services
-        advice = self._ghosts.advice
-        if services.proposals.here is None:
-            return tr("no ghosts: {advice}, a camera follows from them", advice=advice)
-        if services.sequence.value is None:
-            return tr("no camera was found in this picture: {advice}", advice=advice)
-        return tr(
-            "no camera was found in this picture: {advice}, or follow the shot (T)", advice=advice
-        )
 
     def _why_off(self) -> str:
         """Return why no ghosts are shown, whatever the clicks say; empty if they are."""

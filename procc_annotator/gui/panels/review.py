@@ -54,7 +54,7 @@ class ReviewPanel(Panel):
         # Comments under way and their places, by frame.
         self._typed: dict[str, tuple[str, Position | None]] = {}
         self._typed_on: str | None = None
-        services.review.pinsChanged.connect(self._show_place)
+        services.review.commentChosen.connect(self._choose)
         services.store.watch(select.dataset, self._begin_dataset)
         services.store.watch(select.frame, self._begin_frame)
         self._begin_frame()
@@ -141,6 +141,8 @@ class ReviewPanel(Panel):
             )
         self.origins.setText("<br>".join(lines))
         self._show_thread(services.review.comments(frame.name))
+        on_place = tr("Comment on this place") if services.review.new_place else ""
+        self.text.setPlaceholderText(on_place or tr("Comment on this frame"))
 
     def _show_blind(self, frame: str) -> None:
         """Show whether the clicks were committed before any camera was shown."""
@@ -164,7 +166,7 @@ class ReviewPanel(Panel):
         self.comments.clear()
         for number, comment in enumerate(comments, start=1):
             when = datetime.fromtimestamp(comment.time)
-            pin = f"[{number}] " if comment.place else ""
+            pin = f"✎ {number}  " if comment.place else ""
             said = f"{pin}{comment.author}, {when:%Y-%m-%d %H:%M}\n{comment.text}"
             item = QListWidgetItem(said)
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
@@ -178,17 +180,11 @@ class ReviewPanel(Panel):
             self.comments.addItem(item)
         self.comments.blockSignals(False)
         self.comments.scrollToBottom()
-        self._show_place()
 
-    def _show_place(self) -> None:
-        """Say what a new comment is on, and select the one that is chosen on the picture."""
-        review = self._services.review
-        on_place = tr("Comment on this place of the picture") if review.new_place else ""
-        self.text.setPlaceholderText(on_place or tr("Comment on this frame"))
-        for row in range(self.comments.count()):
-            item = self.comments.item(row)
-            if item.data(Qt.ItemDataRole.UserRole).id == review.chosen_comment:
-                self.comments.setCurrentItem(item)
+    def _choose(self, comment: Comment) -> None:
+        """Select a comment that was chosen on the picture."""
+        if comment in self._shown:
+            self.comments.setCurrentRow(self._shown.index(comment))
 
     # --- doing ----------------------------------------------------------------------------
 
@@ -211,16 +207,15 @@ class ReviewPanel(Panel):
             review = self._services.review
             review.add_comment(frame.name, self.text.text(), review.new_place)
             self.text.clear()
-            review.point_out()
+            review.begin_comment(None)
 
     def _drop_empty(self) -> None:
         """The keyboard left a comment without a word: its place is forgotten."""
-        if self._services.review.new_place and not self.text.text():
-            self._services.review.point_out()
+        if not self.text.text():
+            self._services.review.begin_comment(None)
 
     def _go_to(self, item: QListWidgetItem) -> None:
         comment: Comment = item.data(Qt.ItemDataRole.UserRole)
-        self._services.review.point_out(comment.id)
         if comment.place is not None:
             self._services.store.events.flyTo.emit(*comment.place)
 
@@ -233,7 +228,7 @@ class ReviewPanel(Panel):
         self._typed_on = None if frame is None else frame.name
         text, place = self._typed.pop(self._typed_on or "", ("", None))
         self.text.setText(text)
-        services.review.point_out(new_place=place)
+        services.review.begin_comment(place)
 
     def _begin_dataset(self) -> None:
         self._typed.clear()
@@ -247,7 +242,7 @@ class ReviewPanel(Panel):
 
     def _text_key(self, key: Qt.Key) -> None:
         if key == Qt.Key.Key_Escape:
-            self._services.review.point_out()
+            self._services.review.begin_comment(None)
             self.left.emit()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._send()

@@ -59,14 +59,13 @@ class ReviewState(QObject):
     statusChanged = Signal(str)  # status, comments, verdicts or time of a frame, or of all ("")
     originsChanged = Signal()  # how the points of the frame on screen came to be
     notVisibleChanged = Signal(str)  # frame; of another window's doing only that on screen
-    pinsChanged = Signal()  # the comment that is chosen, or the place of a new one
+    commentChosen = Signal(object)  # one whose pin was clicked
     settingChanged = Signal(str)  # the key of a dataset's setting, also changed elsewhere
 
     def __init__(self, store: Store) -> None:
         super().__init__(store)
         self._store = store
         self.database: WorkspaceDatabase | None = None
-        self.chosen_comment = ""  # its id
         self.new_place: Position | None = None  # of a comment that is being written, picture px
         self._origins: dict[str, dict[PointKey, Origin]] = {}
         self._before_edits: dict[str, tuple[Status, FrameAnnotation]] = {}
@@ -170,11 +169,24 @@ class ReviewState(QObject):
             self.database.add_comment(frame, text.strip(), place)
             self.statusChanged.emit(frame)
 
-    def point_out(self, comment: str = "", new_place: Position | None = None) -> None:
-        """Show which comment (its id) is meant, or where the one being written will stand."""
-        if (comment, new_place) != (self.chosen_comment, self.new_place):
-            self.chosen_comment, self.new_place = comment, new_place
-            self.pinsChanged.emit()
+    def begin_comment(self, place: Position | None) -> None:
+        """Show where the comment that is being written will stand; None: it has no place."""
+        if place != self.new_place:
+            self.new_place = place
+            self.statusChanged.emit(self._frame or "")
+
+    @property
+    def pins(self) -> dict[str, Comment]:
+        """The comments on places of the frame on screen that are not settled, by their texts in
+        the picture."""
+        comments = enumerate(self.comments(self._frame or ""), start=1)
+        return {f"✎ {n}": c for n, c in comments if c.place is not None and not c.resolved}
+
+    @property
+    def pinned_places(self) -> tuple[tuple[str, Position], ...]:
+        """Texts and places of `pins`, and of the comment that is being written."""
+        pins = tuple((text, c.place) for text, c in self.pins.items() if c.place is not None)
+        return pins if self.new_place is None else (*pins, ("✎ +", self.new_place))
 
     def resolve_comment(self, comment: Comment, resolved: bool) -> None:
         """Settle a comment, or open it again."""

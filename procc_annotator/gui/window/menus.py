@@ -214,7 +214,7 @@ class FindingTips(QObject):
         """Return what was found at a place of the viewport; empty where no sign is."""
         if self._canvas.drawing.hidden:
             return ""
-        if (comment := self._canvas.pins.at(cursor)) is not None:
+        if (comment := self._canvas.comment_at(cursor)) is not None:
             return comment.text
         near = [f for f in self._services.label_check.shown if self._stands_at(f, cursor)]
         return reasons_of(near)
