@@ -485,6 +485,8 @@ ACTIONS: tuple[ActionSpec, ...] = (
     _spec("Help", "palette", "Find anything…", "Ctrl+K", "find_anything",
           "The command palette: every action, element, frame, camera source and recent folder, by a"
           " few letters of its name"),
+    _spec("Help", "tour", "Tour (60 seconds)", "", "tour.start",
+          "Draw, accept, check, judge and export, step by step, on a copy of the sample"),
     _spec("Help", "keys", "Keys", "F1 ?", "commands.show_keys",
           "Show all actions and their keys on one sheet"),
     _spec("Help", "keymap", "Change keys…", "", "commands.change_keys",
