@@ -60,12 +60,8 @@ PointKey = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Comment:
-    """A remark on a frame, or on a place in it.
-
-    Attributes:
-        time: seconds since 1970, UTC.
-        place: x, y in px of the picture; None for the frame as a whole.
-    """
+    """A remark on a frame, or on a ``place`` in it (x, y in px of the picture); ``time`` in seconds
+    since 1970, UTC."""
 
     id: str
     frame: str

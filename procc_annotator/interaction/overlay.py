@@ -12,7 +12,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.arrays import FloatArray
 from procc_annotator.dataset.editing import PointRef
-from procc_annotator.dataset.records import Origin, OriginKind, PointKey
+from procc_annotator.dataset.records import Comment, Origin, OriginKind, PointKey
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
 from procc_annotator.interaction import palette as tones
@@ -181,7 +181,7 @@ class OverlayContent:
         found: of the label check, the surest first; None: it is not asked, and its groups are
             left out.
         dragged: elements that the mouse drags: `gesture_overlay` draws them.
-        comments: text and place, picture px, of each that is pinned.
+        comments: those pinned to a place, with their texts.
     """
 
     annotation: FrameAnnotation
@@ -201,7 +201,7 @@ class OverlayContent:
     ellipses: tuple[ShownEllipse, ...] = ()
     found: Sequence[StoredFinding] | None = None
     dragged: frozenset[str] = frozenset()
-    comments: tuple[tuple[str, tuple[float, float]], ...] = ()
+    comments: tuple[tuple[str, Comment], ...] = ()
 
     @property
     def selected_class(self) -> str | None:
@@ -450,10 +450,8 @@ def _distance_labels(verdict: ScoredFrame, selected: str | None) -> Labels:
     return Labels(*verdict.labelled(selected), tones.LABEL)
 
 
-def _comment_pins(
-    comments: tuple[tuple[str, tuple[float, float]], ...],
-) -> tuple[PointMarks, Labels]:
-    places = np.array([place for _, place in comments]).reshape(-1, 2)
+def _comment_pins(comments: tuple[tuple[str, Comment], ...]) -> tuple[PointMarks, Labels]:
+    places = np.array([c.place for _, c in comments], dtype=np.float64).reshape(-1, 2)
     marks = PointMarks(places, "ring", tones.COMMENT, tones.SELECTED_POINT_SIZE)
     return marks, Labels(places, tuple(text for text, _ in comments), tones.COMMENT)
 

@@ -197,7 +197,8 @@ class TestAccept:
         name = go(begun, hand, qtbot)
         hand.key(Key.Key_Return)
         assert begun.services.state.annotation.get(name) is not None
-        assert "1 end cannot be seen: the points stop before" in told[-1]
+        title = begun.services.state.field.title_of(name)
+        assert f"1 end of {title} cannot be seen: the points stop before" in told[-1]
 
     def test_enter_before_the_points_are_found_accepts_them_then(self, begun, hand, qtbot):
         hand.key(Key.Key_Tab)

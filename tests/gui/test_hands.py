@@ -240,7 +240,7 @@ class TestLeaving:
         window = make_window(left)
         waiting = window.services.state.annotation.get_unconfirmed(MIDDLE)
         assert len(waiting.points) == 2
-        assert "1 unfinished element was kept: Halfway line" in window.status.hint.text()
+        assert "unfinished elements were kept: Halfway line" in window.status.hint.text()
         on_pitch.canvas.key("Enter")
         assert services.review.database.flush()
         assert not services.review.database.drafts()

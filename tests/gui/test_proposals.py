@@ -189,7 +189,6 @@ class TestAFrameWithoutAnnotation:
         said = heard(window.services)
         QTest.keyClick(window.canvas, Qt.Key.Key_Tab)
         assert advice in said[-1]  # the same
-
         menu = window.actions_.menus["File/Field"]
         QTest.mouseClick(plate, Qt.MouseButton.LeftButton)
         assert menu.isVisible()

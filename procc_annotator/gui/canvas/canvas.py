@@ -240,7 +240,8 @@ class Canvas(PictureView):
 
     def comment_at(self, cursor: QPointF) -> Comment | None:
         """Return the comment whose pin is at a position of the viewport."""
-        return self._services.review.pins.get(self.overlay_item.text_at(cursor))
+        place = self.viewportTransform().inverted()[0].map(cursor)
+        return self._services.review.pins.get(self.overlay_item.text_at(place))
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         event.accept()

@@ -294,7 +294,7 @@ class OverlayDrawing(QObject):
             ellipses=services.landmarks.ellipses.value or (),
             found=services.label_check.shown,
             dragged=self._dragged,
-            comments=services.review.pinned_places,
+            comments=tuple(services.review.pins.items()),
         )
 
     def _origins(self) -> Mapping[PointKey, Origin] | None:

@@ -122,14 +122,10 @@ class _Seen:
 
     def beside_points(self, groups: tuple[Labels, ...]) -> frozenset[Beside]:
         """Return where texts are that give way to others."""
-        return _beside_points(groups, *self.view, text_times())
-
-    @property
-    def view(self) -> tuple[tuple[float, float, float], Box]:
-        """Position of the picture and visible area, as `arranged` takes them."""
         scale, room = self.world.m11(), self.room
         at = scale, self.world.dx() + 0.5 * scale, self.world.dy() + 0.5 * scale
-        return at, (room.left(), room.top(), room.right(), room.bottom())
+        box = room.left(), room.top(), room.right(), room.bottom()
+        return _beside_points(groups, at, box, text_times())
 
     def areas_of(self, texts: frozenset[Beside]) -> list[QRectF]:
         """Return what they cover, scene coordinates."""
@@ -249,14 +245,12 @@ class OverlayItem(QGraphicsItem):
         for area in self._painted_at.areas_of(was ^ now):
             self.update(area & self._area)
 
-    def text_at(self, cursor: QPointF) -> str:
-        """Return the text at a position of the viewport; empty where there is none."""
+    def text_at(self, place: QPointF) -> str:
+        """Return the text that covers a place, scene coordinates; empty where none does."""
         seen = self._painted_at
-        plates = () if seen is None else arranged(self._texts, *seen.view, times=text_times())
-        for plate in plates:
-            left, top, right, bottom = plate.place
-            if QRectF(left, top, right - left, bottom - top).contains(cursor):
-                return plate.text
+        for text in seen.beside_points(self._texts) if seen is not None else ():
+            if seen is not None and seen.areas_of(frozenset((text,)))[0].contains(place):
+                return text[1]
         return ""
 
     @property

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -17,7 +17,6 @@ from procc_annotator.batch.triage import (
     set_disagreement,
     worst_frames_first,
 )
-from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.dataset.records import Status
 from procc_annotator.dataset.workspace import Workspace
@@ -68,12 +67,6 @@ class ShotWalk(QObject):
             index = self._services.state.frame_index + frames
             self._services.navigator.come_to(min(max(index, 0), len(workspace.frames) - 1))
 
-    def go_anchor(self, step: int) -> None:
-        """Go to the nearest annotated frame after (1) or before (-1) this one."""
-        indices = self._services.annotated_frames.indices
-        if self._has_order():
-            self._go(indices, step, tr("none is annotated"))
-
     def go_doubtful(self, step: int) -> None:
         """Go through the frames that are not sure, the least sure first; without such to the
         nearest frame whose track is in doubt, after (1) or before (-1) this one."""
@@ -82,7 +75,7 @@ class ShotWalk(QObject):
             return
         sequence = self._services.sequence.value
         tracked = self._services.shot_track.tracked
-        if sequence is None or not self._has_order():
+        if not self._has_order() or sequence is None:
             return
         if self._services.state.blind:
             self._services.say(tr("blind mode: how the track does is hidden"))
@@ -90,9 +83,13 @@ class ShotWalk(QObject):
         if not tracked:
             self._services.say(tr("no shot was followed yet (T)"))
             return
-        index_of = sequence.index_of
-        doubtful = (index_of[n] for n in index_of if _doubtful(tracked, n))
-        self._go(doubtful, step, tr("none is doubtful"))
+        here = self._services.state.frame_index
+        index_of, known = sequence.index_of, tracked.keys() & sequence.index_of.keys()
+        doubtful = [index_of[number] for number in known if review_reason(tracked[number])]
+        if beyond := [index for index in doubtful if (index - here) * step > 0]:
+            self._services.navigator.come_to(min(beyond) if step > 0 else max(beyond))
+        else:
+            self._services.say(tr(_NO_OTHER, what=tr("none is doubtful")))
 
     def _go_unsure(self, step: int) -> None:
         here, workspace = self._services.state.frame_index, self._services.state.workspace
@@ -110,14 +107,6 @@ class ShotWalk(QObject):
         words = tr("{place} of {total}, the least sure first", place=place + 1, total=len(order))
         last = tr("this is the last one") if place == left[-1] else ""
         self._services.say("; ".join(filter(None, (words, last))))
-
-    def _go(self, indices: Iterable[int], step: int, what: str) -> None:
-        here = self._services.state.frame_index
-        beyond = [index for index in indices if (index - here) * step > 0]
-        if beyond:
-            self._services.navigator.come_to(min(beyond) if step > 0 else max(beyond))
-        else:
-            self._services.say(tr(_NO_OTHER, what=what))
 
     def _has_order(self) -> bool:
         if self._services.sequence.value is None:
@@ -182,9 +171,13 @@ class ShotWalk(QObject):
         self._clock.start(min(_SLOWEST_MS, round(1000 * apart / sequence.fps)))
 
 
-def _doubtful(tracked: Mapping[int, TrackedFrame], number: int) -> bool:
-    frame = tracked.get(number)
-    return frame is not None and bool(review_reason(frame))
+# Whether a frame, of an index and a status, is of a kind; what is said if absent.
+_KINDS: dict[str, tuple[Callable[[Workspace, int, Status], bool], str]] = {
+    "annotated": (lambda w, index, _: is_annotated(w, index), word("none is annotated")),
+    "unannotated": (lambda w, index, _: not is_annotated(w, index), word("all are annotated")),
+    "unfinished": (lambda *frame: frame[2] in UNFINISHED, word("all are done or approved")),
+    "rejected": (lambda *frame: frame[2] is Status.REJECTED, word("none is rejected")),
+}
 
 
 class StatusWalk:
@@ -193,50 +186,22 @@ class StatusWalk:
     def __init__(self, services: Services) -> None:
         self._services = services
 
-    def go_last(self) -> None:
-        """The last frame."""
-        if (workspace := self._services.state.workspace) is not None:
-            self._services.navigator.go_to(len(workspace.frames) - 1)
-
-    def go_unannotated(self, step: int) -> None:
-        """The nearest frame without annotation after (1) or before (-1) this one."""
-        what = tr("all are annotated")
-        self._go(step, lambda workspace, index: not is_annotated(workspace, index), what)
-
-    def go_unfinished(self, step: int) -> None:
-        """The nearest frame after (1) or before (-1) this one that is neither done nor approved."""
-        what = tr("all are done or approved")
-        self._go(step, lambda *frame: self._status(*frame) in UNFINISHED, what)
-
-    def go_rejected(self) -> None:
-        """The next rejected frame; after the last one it begins again."""
-        what = tr("none is rejected")
-        self._go(1, lambda *frame: self._status(*frame) is Status.REJECTED, what, around=True)
-
-    def _status(self, workspace: Workspace, index: int) -> Status:
-        return self._services.review.status(workspace.frames[index].name)
-
-    def _go(
-        self,
-        step: int,
-        wanted: Callable[[Workspace, int], bool],
-        what: str,
-        *,
-        around: bool = False,
-    ) -> None:
+    def go(self, kind: str, step: int) -> None:
+        """Go to the nearest frame of a kind (of `_KINDS`) after (1) or before (-1) this one; for
+        rejected ones it begins again after the last."""
         services, workspace = self._services, self._services.state.workspace
         if workspace is None:
             return
+        wanted, what = _KINDS[kind]
         here, count = services.state.frame_index, len(workspace.frames)
         ahead = range(here + step, count if step > 0 else -1, step)
-        order = [*ahead, *(range(here) if around else ())]
+        order = [*ahead, *(range(here) if kind == "rejected" else ())]
         within = services.navigator.within
-        shown = (index for index in order if within is None or index in within)
-        found = next((index for index in shown if wanted(workspace, index)), None)
-        if found is None:
-            services.say(tr(_NO_OTHER, what=what))
-        else:
-            services.navigator.go_to(found)
+        for index in order if within is None else [index for index in order if index in within]:
+            if wanted(workspace, index, services.review.status(workspace.frames[index].name)):
+                services.navigator.go_to(index)
+                return
+        services.say(tr(_NO_OTHER, what=tr(what)))
 
 
 Order = Literal["jac", "error", "disagreement"]

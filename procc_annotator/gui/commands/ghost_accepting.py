@@ -181,12 +181,6 @@ class GhostAccepting(QObject):
         ends = sum(f.unsure_ends for f in found)
         if not ends:
             return ""
-        if len(found) == 1:
-            return tr_count(
-                ends,
-                "{n} end cannot be seen: the points stop before",
-                "{n} ends cannot be seen: the points stop before",
-            )
         return tr_count(
             ends,
             "{n} end of {elements} cannot be seen: the points stop before",

@@ -198,7 +198,7 @@ class GhostCommands(QObject):
         if name in ("Escape", "Undo") and self.accepting.busy:
             self.accepting.drop(tr("taken back") if name == "Undo" else "")
             return True
-        if name in ("Delete", "Undo") and free and services.prediction.is_proposed:
+        if name in ("Delete", "Undo") and free and services.shot_track.fit_here is None:
             return services.proposals.reject(name == "Delete")
         if name == "Escape" and ghosts.walking:
             ghosts.leave()
@@ -307,14 +307,6 @@ class GhostCommands(QObject):
 
 
 def _passed_end(left: int, *, last: bool) -> str:
-    if last:
-        return tr_count(
-            left,
-            "that was the last ghost; {n} ghost left, Tab begins again",
-            "that was the last ghost; {n} ghosts left, Tab begins again",
-        )
-    return tr_count(
-        left,
-        "that was the first ghost; {n} ghost left, Tab begins again",
-        "that was the first ghost; {n} ghosts left, Tab begins again",
-    )
+    end = tr("that was the last ghost") if last else tr("that was the first ghost")
+    more = tr_count(left, "{n} ghost left, Tab begins again", "{n} ghosts left, Tab begins again")
+    return f"{end}; {more}"

@@ -177,16 +177,12 @@ class ReviewState(QObject):
 
     @property
     def pins(self) -> dict[str, Comment]:
-        """The comments on places of the frame on screen that are not settled, by their texts in
-        the picture."""
-        comments = enumerate(self.comments(self._frame or ""), start=1)
-        return {f"✎ {n}": c for n, c in comments if c.place is not None and not c.resolved}
-
-    @property
-    def pinned_places(self) -> tuple[tuple[str, Position], ...]:
-        """Texts and places of `pins`, and of the comment that is being written."""
-        pins = tuple((text, c.place) for text, c in self.pins.items() if c.place is not None)
-        return pins if self.new_place is None else (*pins, ("✎ +", self.new_place))
+        """The comments on places of the frame on screen that are not settled, or being written, by
+        their texts in the picture."""
+        frame = self._frame or ""
+        every = {f"✎ {n}": comment for n, comment in enumerate(self.comments(frame), start=1)}
+        every["✎ +"] = Comment("", frame, "", 0.0, "", place=self.new_place)
+        return {text: c for text, c in every.items() if c.place is not None and not c.resolved}
 
     def resolve_comment(self, comment: Comment, resolved: bool) -> None:
         """Settle a comment, or open it again."""

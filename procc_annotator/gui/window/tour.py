@@ -22,17 +22,12 @@ _LEFT_OUT = shutil.ignore_patterns("basketball", "ice_hockey", "volleyball", "dr
 
 
 class Tour(Bar):
-    """Shows the steps, each until the state says that it was done.
-
-    Attributes:
-        before: the annotation on screen when the step began.
-    """
+    """Shows the steps, each until the state says that it was done."""
 
     def __init__(self, services: Services, in_sight: Callable[[str], bool]) -> None:
         """Show nothing yet; ``in_sight``: whether a panel is, by name."""
         super().__init__("tourBar")
-        self.services, self.in_sight = services, in_sight
-        self._step, self.before = 0, services.state.annotation
+        self.services, self.in_sight, self._step = services, in_sight, 0
         skip, end = QPushButton(tr("Skip")), QPushButton(tr("End"))
         self.add_button(skip, tr("Go on to the next step"), lambda: self._show(self._step + 1))
         self.add_button(end, tr("Esc ends the tour, too"), self.hide)
@@ -71,7 +66,7 @@ class Tour(Bar):
         return self.services.review.status(self.services.state.frame_name or "") is status
 
     def _show(self, step: int) -> None:
-        self._step, self.before = step, self.services.state.annotation
+        self._step = step
         number = tr("{n} of {total}", n=step + 1, total=len(_STEPS))
         self.tell(f"{number}:  {tr(_STEPS[step][0])}" if step < len(_STEPS) else "")
 
@@ -84,7 +79,7 @@ _STEPS: tuple[tuple[str, Callable[[Tour], bool]], ...] = (
     (word("The camera is found without a click; dashed: what it expects. Shift+Enter accepts that"),
      lambda tour: len(tour.services.state.annotation.annotated) > 3),
     (word("W switches to editing: drag a point off its line"),
-     lambda tour: tour.services.state.annotation is not tour.before),
+     lambda tour: tour.services.state.selection.point is not None),
     (word("What may be wrong is listed in the tab Check: open it. F12 does what it advises"),
      lambda tour: tour.in_sight("findings")),
     (word("Ctrl+Enter: this frame is done"), lambda tour: tour.has_status(Status.DONE)),

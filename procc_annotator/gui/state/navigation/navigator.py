@@ -27,7 +27,7 @@ from procc_annotator.gui.state.state import ChosenElement
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache, decode_half_size
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.translation import tr, tr_count
+from procc_annotator.translation import tr
 
 
 class Navigator(QObject):
@@ -296,13 +296,8 @@ class Opening(QObject):
             setup=replace(setup, field=field) if other_field else setup,
         )
         if waiting := self._store.state.annotation.unconfirmed:
-            kept = tr_count(
-                len(waiting),
-                "{n} unfinished element was kept: {titles}",
-                "{n} unfinished elements were kept: {titles}",
-                titles=", ".join(tr(field.title_of(p.class_name)) for p in waiting),
-            )
-            say(self._store, kept)
+            titles = ", ".join(tr(field.title_of(p.class_name)) for p in waiting)
+            say(self._store, tr("unfinished elements were kept: {titles}", titles=titles))
         if field.own_terms:
             say(self._store, tr("the field of this dataset: {field}", field=field.described))
         landmarks = {PROBLEM: self._landmarks.problem, STRANGE: self._landmarks.strange}

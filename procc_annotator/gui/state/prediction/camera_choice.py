@@ -359,12 +359,6 @@ class PredictionSource(QObject):
         return self._choice[1]
 
     @property
-    def is_proposed(self) -> bool:
-        """Return whether neither the track nor a hand gives a camera before the proposed one."""
-        track = self._track.here
-        return self._corrections.here is None and (track is None or track.fit is None)
-
-    @property
     def stands_in(self) -> bool:
         """Return whether what is shown follows from a camera that was found without clicks."""
         insight = self.insight
