@@ -17,7 +17,7 @@ from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_
 from procc_annotator.assist.track_anchors import CameraCorrection, align_to_lines
 from procc_annotator.batch.camera_proposals import set_pixel_aspect
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.calibration.single_image.proposal import NONE, SURE, Proposal
+from procc_annotator.calibration.single_image.proposal import NONE, SURE, UNSURE, Proposal
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
@@ -110,12 +110,12 @@ class Proposals(QObject):
         return replace(found, state=NONE, reason=why, fit=replace(found.fit, camera=None))
 
     def reject(self, rejected: bool) -> bool:
-        """Show the camera of the frame on screen no more, or again; False where there is none, or
-        something is annotated."""
+        """Show the unsure camera of the frame on screen no more, or again; False where there is
+        none, or something is annotated."""
         found, state = self.here, self._store.state
         if found is None or state.frame is None or state.annotation.polylines:
             return False
-        if rejected is (found.fit.camera is None) or rejected is (state.frame in self._rejected):
+        if rejected is (state.frame in self._rejected) or (rejected and found.state != UNSURE):
             return False
         self._rejected ^= {state.frame}
         self.changed.emit()
