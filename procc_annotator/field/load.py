@@ -183,7 +183,8 @@ def _with_base(path: Path, data: dict[str, Any]) -> dict[str, Any]:
     if name not in (known := field_names()):
         problem = f"no such field{did_you_mean(str(name), known)}"
         raise FieldError(path, problem, place="like", advice=f"known: {', '.join(known)}")
-    base = tomllib.loads(read_toml_text(builtin_field_file(name)))
+    file = builtin_field_file(name)
+    base = _with_base(file, tomllib.loads(read_toml_text(file)))
     found = base | {key: value for key, value in data.items() if key != "like"}
     for key, table in base.items():
         if isinstance(table, dict) and isinstance(data.get(key), dict):

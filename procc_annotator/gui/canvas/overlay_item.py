@@ -245,6 +245,14 @@ class OverlayItem(QGraphicsItem):
         for area in self._painted_at.areas_of(was ^ now):
             self.update(area & self._area)
 
+    def text_at(self, place: QPointF) -> str:
+        """Return the text that covers a place, scene coordinates; empty where none does."""
+        seen = self._painted_at
+        for text in seen.beside_points(self._texts) if seen is not None else ():
+            if seen is not None and seen.areas_of(frozenset((text,)))[0].contains(place):
+                return text[1]
+        return ""
+
     @property
     def _texts(self) -> tuple[Labels, ...]:
         """Return the texts that give way to each other."""
