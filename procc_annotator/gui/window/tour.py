@@ -18,7 +18,16 @@ from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, word
 
 _LOOK_MS = 200
-_LEFT_OUT = shutil.ignore_patterns("[!0c]*")
+_LEFT_OUT = shutil.ignore_patterns(
+    "basketball",
+    "ice_hockey",
+    "volleyball",
+    "drawing",
+    "shot",
+    "views",
+    "second_annotator",
+    "other_names",
+)
 
 
 class Tour(Bar):
