@@ -252,7 +252,7 @@ def _rank(text: str, entry: Entry) -> int | None:
     return None
 
 
-_WIDTH = 1100
+_WIDTH = 920
 _ROWS = 12
 _PAD = 8
 _MARGIN = 24  # of the window that stays in sight around it
