@@ -197,7 +197,11 @@ class MainWindow(QMainWindow):
         self.conflict_bar = ConflictBar(editing.reload_frame, editing.overwrite_frame)
         self.field_bar = FieldBar()
         self.field_choosing = FieldChoosing(self.services, self.settings, self.field_bar, self)
-        self.tour = Tour(services, lambda dock: not self.docks[dock].visibleRegion().isEmpty())
+        self.tour = Tour(
+            services,
+            lambda dock: not self.docks[dock].visibleRegion().isEmpty(),
+            lambda workspace: self.panels.turn_to(workspace),
+        )
         self.welcome = Welcome(self.opening, self.tour.start, self.settings.get(RECENT))
         self.pages = QStackedWidget()
         self.pages.addWidget(self.welcome)

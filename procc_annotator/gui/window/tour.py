@@ -33,10 +33,13 @@ _LEFT_OUT = shutil.ignore_patterns(
 class Tour(Bar):
     """Shows the steps, each until the state says that it was done."""
 
-    def __init__(self, services: Services, in_sight: Callable[[str], bool]) -> None:
-        """Show nothing yet; ``in_sight``: whether a panel is, by name."""
+    def __init__(
+        self, services: Services, in_sight: Callable[[str], bool], turn_to: Callable[[str], None]
+    ) -> None:
+        """Show nothing yet; ``in_sight``: whether a panel is, by name;
+        ``turn_to``: a workspace."""
         super().__init__("tourBar")
-        self.services, self.in_sight, self._step = services, in_sight, 0
+        self.services, self.in_sight, self._turn_to, self._step = services, in_sight, turn_to, 0
         skip, end = QPushButton(tr("Skip")), QPushButton(tr("End"))
         self.add_button(skip, tr("Go on to the next step"), lambda: self._show(self._step + 1))
         self.add_button(end, tr("Esc ends the tour, too"), self.hide)
@@ -55,6 +58,7 @@ class Tour(Bar):
         except OSError as error:
             services.say(tr("the sample cannot be copied: {why}", why=error), "warning")
             return
+        self._turn_to("annotate")
         services.opening.open_path(copied)
         if (workspace := services.state.workspace) is not None:
             every = range(len(workspace.frames))
