@@ -26,8 +26,7 @@ _FEWEST_POINTS = 2
 _FEWEST_CURVE_POINTS = 5  # which determine an ellipse
 _MOSTLY_SEEN = 0.5  # of a line as its paint: it is no edge between two areas
 _ONE_PLACE_PX = 3.0
-# Of the width: a chord passes so far beside a curve at most; points are as far apart at most.
-_MOST_CHORD, _FOLLOWED_GAP = 1 / 480, 1 / 16
+_MOST_CHORD, _FOLLOWED_GAP = 1 / 480, 1 / 16  # of the width: off a curve; a hidden bend of it
 _SMALL_GAP = 1 / 80  # of the width, as points of a curve are apart at least
 
 

@@ -23,10 +23,9 @@ class ScreenSnapper:
     draws before the mouse moved takes what is `remembered`: looking takes as long as painting.
     """
 
-    view_scale = 1.0  # screen px per picture px
-
     def __init__(self, services: Services) -> None:
         self._services = services
+        self.view_scale = 1.0  # screen px per picture px
         self._made_of: tuple[object, ...] = ()
         self._snap: Snapper | None = None
         self._found: dict[Sought, Position | None] = {}  # the latest last
