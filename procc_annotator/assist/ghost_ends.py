@@ -38,7 +38,6 @@ _LEAST_MERIT = 0.3
 _TRIED_PX = 25.0
 _BEYOND_PX = 40.0  # the other line may be seen so far before the corner only
 _MISSED_PX = 1.5
-_COARSE = 8  # places: two courses that cross are near there and nowhere else
 _LEAST_SINE = 0.1  # lines at less than six degrees cross nowhere that could be told
 _STEEP_SINE = 0.8  # what a course is off is little along the other one
 _NEAR_PX = 10.0, 76.0  # of the corner: from where both are followed to it
@@ -225,20 +224,12 @@ def _distances(places: FloatArray, others: FloatArray) -> FloatArray:
 def _crossing(own: FloatArray, other: FloatArray) -> FloatArray | None:
     """(2,) px where two courses cross, the other one continued at both ends."""
     whole = continued(continued(other, _BEYOND_PX)[::-1], _BEYOND_PX)
-    (i, j), _ = _nearest(own[::_COARSE], whole[::_COARSE])
-    begin, start, size = max(0, (i - 1) * _COARSE), max(0, (j - 1) * _COARSE), 2 * _COARSE + 1
-    (i, j), apart = _nearest(own[begin : begin + size], whole[start : start + size])
-    if apart > _MISSED_PX:
+    apart = _distances(own, whole)
+    i, j = divmod(int(apart.argmin()), len(whole))
+    if apart[i, j] > _MISSED_PX:
         return None
-    i, j = min(max(begin + i, 1), len(own) - 2), min(max(start + j, 1), len(whole) - 2)
+    i, j = min(max(i, 1), len(own) - 2), min(max(j, 1), len(whole) - 2)
     return _meeting(own[i], own[i + 1] - own[i - 1], whole[j], whole[j + 1] - whole[j - 1])
-
-
-def _nearest(places: FloatArray, others: FloatArray) -> tuple[tuple[int, int], float]:
-    """Rows of the two that are nearest to each other, and px between them."""
-    apart = _distances(places, others)
-    i, j = divmod(int(apart.argmin()), len(others))
-    return (i, j), float(apart[i, j])
 
 
 def _meeting(a: FloatArray, u: FloatArray, b: FloatArray, v: FloatArray) -> FloatArray | None:
@@ -381,7 +372,9 @@ def _before(line: VisibleLine, corner: Corner) -> tuple[FloatArray, FloatArray, 
     past = max(2, int(np.hypot(*(course - corner.place_px).T).argmin()))
     begin, end = line.runs[-1]
     seen = np.arange(max(begin, end - _HIDDEN_PX), end)
-    last = np.arange(max(0, past - _LAST_PX[1]), max(1, past - _LAST_PX[0] + 1))
+    last = np.arange(
+        max(0, min(end + _LAST_PX[1], past - _LAST_PX[1])), max(1, past - _LAST_PX[0] + 1)
+    )
     rows = np.concatenate([seen[seen < last[0]], last])
     return course[rows], polyline_normals(course, 3)[rows], rows >= last[0]
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
+import cv2
 import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation, Point, Polyline, point_from_px
@@ -13,7 +15,8 @@ from procc_annotator.assist.curves import regular_parameters
 from procc_annotator.assist.ghost_ends import locate_line_ends, reach_of
 from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.assist.visible_line import VisibleLine, find_line
-from procc_annotator.calibration.prediction.ghosts import Ghost, GhostPiece
+from procc_annotator.calibration.fitting import fit_camera
+from procc_annotator.calibration.prediction.ghosts import Ghost, GhostPiece, find_ghosts
 from procc_annotator.field.model import ANY, EDGE, LINE, Field
 from procc_annotator.image.pixels import PixelArray
 
@@ -23,6 +26,7 @@ _FEWEST_POINTS = 2
 _FEWEST_CURVE_POINTS = 5  # which determine an ellipse
 _MOSTLY_SEEN = 0.5  # of a line as its paint: it is no edge between two areas
 _ONE_PLACE_PX = 3.0
+_MOST_CHORD, _FOLLOWED_GAP = 1 / 480, 1 / 16  # of the width: off a curve; a hidden bend of it
 _SMALL_GAP = 1 / 80  # of the width, as points of a curve are apart at least
 
 
@@ -32,8 +36,8 @@ class GhostPoints:
 
     Attributes:
         points: normalised, in the element's direction; empty where nothing of it can be seen. A
-            polyline is one line: stretches hidden in between are bridged by a chord without points.
-            At a corner of a chain there is one point.
+            polyline is one line: stretches hidden in between are bridged by a chord without points,
+            but for bends of a curve. At a corner of a chain there is one point.
         support: the share of the ghost's length along which the picture shows its line, 0 to 1.
         unsure_ends: of a straight one, how many of the ends that the camera expects in the picture
             the paint that they lie at does not confirm; the points stop before them.
@@ -89,16 +93,18 @@ def _find_points(
     straight = len(ghost.pieces) == 1 and element is not None and element.is_straight
     beyond = (reach_of(ghost.ends[0]), reach_of(ghost.ends[1])) if straight else (0.0, 0.0)
 
+    seek = partial(find_line, curved=curved, on_ground=on_ground)
+
     def find(piece: GhostPiece) -> VisibleLine:
-        return find_line(
-            picture,
-            piece.points_px,
-            piece.sd_px,
-            sought,
-            curved=curved,
-            on_ground=on_ground,
-            beyond_px=beyond,
-        )
+        line = seek(picture, piece.points_px, piece.sd_px, sought, beyond_px=beyond)
+        if not sought.is_pale_line or line.seen == line.length:
+            return line
+        half = max(1, size[0] // 2), max(1, size[1] // 2)
+        small = np.asarray(cv2.resize(picture, half, interpolation=cv2.INTER_AREA), np.uint8)
+        sd = np.full(line.length, 0.5 if line.runs else ghost.sd_px / 2)
+        blurred = sought.blurred(size[0], shrink=2)
+        wider = seek(small, line.course_px / 2 - 0.25, sd, blurred)
+        return line.with_wider(wider) if wider.runs else line
 
     lines, unsure = [find(piece) for piece in ghost.pieces], 0
     if straight:
@@ -131,12 +137,8 @@ def _regular(
     curve is sampled from end to end of each stretch, so that its bends are kept."""
     if not line.runs:
         return []
-    closes = _SMALL_GAP * size[0] if curved else math.inf
-    stretches = [line.runs[0]]
-    for first, past in line.runs[1:]:
-        if first - stretches[-1][1] <= closes:
-            first = stretches.pop()[0]
-        stretches.append((first, past))
+    runs = _without_chords(line, size[0]) if curved else line.runs
+    stretches = runs if curved else ((runs[0][0], runs[-1][1]),)
     least = math.ceil((_FEWEST_CURVE_POINTS - 1) / len(stretches)) if curved else 1
     parts = [
         regular_parameters(
@@ -150,12 +152,32 @@ def _regular(
     ]
     wanted = np.concatenate(parts)
     chosen: list[float] = []
-    for first, past in line.runs:
+    for first, past in runs:
         own = wanted[(wanted >= first) & (wanted <= past - 1)].tolist()
         chosen.extend(own or [(first + past - 1) / 2])
     every = np.arange(line.length)
     at = np.column_stack([np.interp(chosen, every, line.course_px[:, k]) for k in (0, 1)])
     return [(x, y) for x, y in np.clip(at, 0.0, np.array(size) - 1).tolist()]
+
+
+def _without_chords(line: VisibleLine, width_px: int) -> tuple[tuple[int, int], ...]:
+    """The runs of a curve without gaps that a chord would bridge across a bend: at a short one the
+    line is followed, at a long one it ends, and the longest part remains."""
+    parts = [[line.runs[0]]]
+    for run in line.runs[1:]:
+        before = parts[-1][-1]
+        gap = line.course_px[before[1] - 1 : run[0] + 1]
+        across = np.array([[-1], [1]]) * (gap[-1] - gap[0])[::-1, None] / len(gap)
+        bends = float(np.abs((gap - gap[0]) @ across).max()) > _MOST_CHORD * width_px
+        if len(gap) <= (_FOLLOWED_GAP if bends else _SMALL_GAP) * width_px:
+            parts[-1][-1] = before[0], run[1]
+        elif not bends:
+            parts[-1].append(run)
+        else:
+            parts.append([run])
+    if len(parts) > 1 and math.dist(line.course_px[0], line.course_px[-1]) <= _ONE_PLACE_PX:
+        parts[0] = [*parts.pop(), *parts[0]]  # of a circle, which may begin anywhere
+    return tuple(max(parts, key=lambda part: sum(past - first for first, past in part)))
 
 
 def accept(annotation: FrameAnnotation, found: Sequence[GhostPoints]) -> FrameAnnotation:
@@ -187,3 +209,22 @@ def accept_all(
     good = tuple(f for f in found if f.points and f.support >= least_support)
     left = tuple(f for f in found if f not in good)
     return AcceptedGhosts(accept(annotation, good), good, left)
+
+
+def retry(
+    annotation: FrameAnnotation,
+    found: tuple[GhostPoints, ...],
+    picture: PixelArray,
+    field: Field,
+    size: tuple[int, int],
+    least_support: float = LEAST_SUPPORT,
+) -> tuple[GhostPoints, ...]:
+    """Look again for the lines that are not seen well enough, where the camera that follows from
+    the others shows them. Returns all ghosts; arguments as of `find_points` and `accept_all`."""
+    done = accept_all(annotation, found, least_support)
+    if not (done.accepted and done.left):
+        return found
+    fit, left = fit_camera(done.annotation, field, size=size), {f.name for f in done.left}
+    ghosts = [g for g in find_ghosts(done.annotation, field, fit) if g.name in left]
+    again = {ghost.name: find_points(ghost, picture, field, size) for ghost in ghosts}
+    return tuple(max(f, again.get(f.name, f), key=lambda f: f.support) for f in found)

@@ -189,7 +189,7 @@ def _along(
     if inside.sum() < 2:
         return None
     places, along, lengths = places[inside], along[inside], lengths[inside]
-    reach = SNAP_RADIUS_PX * min(max(per_px, 1.0), 2.0)
+    reach = SNAP_RADIUS_PX * (1.0 if sought.is_pale_line else min(max(per_px, 1.0), 2.0))
 
     def offsets(at: FloatArray, directions: FloatArray) -> FloatArray:
         found = snap_points_to_lines(picture, at, directions, sought, reach_px=reach)

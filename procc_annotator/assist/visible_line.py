@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -10,12 +10,7 @@ from procc_annotator.arrays import BoolArray, FloatArray, IntArray, true_runs
 from procc_annotator.assist.curves import robust_fit
 from procc_annotator.field.model import EDGE
 from procc_annotator.image.line_offsets import offsets_along_curve
-from procc_annotator.image.line_profiles import (
-    LineTarget,
-    StraightenedCurve,
-    Values,
-    straighten_curve,
-)
+from procc_annotator.image.line_profiles import LineTarget, StraightenedCurve, straighten_curve
 from procc_annotator.image.line_snapping import SNAP_RADIUS_PX
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.metrics.polylines import arc_lengths, points_at_arc_lengths, polyline_normals
@@ -185,22 +180,6 @@ def _near(hits: IntArray, n: int) -> BoolArray:
     return marked
 
 
-def _half_width(colours: Values, strip: StraightenedCurve) -> float:
-    """Half the stroke's width at half its height, px, by (m, 3) colours across it."""
-    outer = np.concatenate([colours[:8], colours[-8:]])
-    steps = colours - np.median(outer, axis=0)
-    near = strip.columns(-2.0, 2.0)
-    middle = steps[strip.columns(-0.5, 0.5)].mean(axis=0)
-    profile = steps @ (middle / max(float(np.linalg.norm(middle)), 1e-6))
-    peak = near.start + int(profile[near].argmax())
-    ground = float(np.median(np.concatenate([profile[:8], profile[-8:]])))
-    above = profile > (float(profile[peak]) + ground) / 2
-    right = len(above) - peak if above[peak:].all() else int(np.argmin(above[peak:]))
-    left = peak if above[: peak + 1].all() else int(np.argmin(above[: peak + 1][::-1]))
-    step = float(strip.offsets_px[1] - strip.offsets_px[0])
-    return float(np.clip((left + right - 1) * step / 2, 0.75, 5.0))
-
-
 _WIDTH_HITS = 3  # a width is the median of this many
 _GROUND_PX = 5.5, 8.0
 
@@ -208,7 +187,6 @@ _GROUND_PX = 5.5, 8.0
 def _half_widths(strip: StraightenedCurve, hits: IntArray) -> FloatArray:
     """(n,) half the stroke's width at half its height, px: what it is as a rule, and more where it
     is wider towards both sides, as an arc is where it leads away from the camera."""
-    least = _half_width(np.median(strip.colours[_near(hits, len(strip.colours))], axis=0), strip)
     around = np.clip(hits[:, None] + np.arange(-3, 4), 0, len(strip.colours) - 1)
     colours = np.median(strip.colours[around], axis=1)
     line = colours[:, strip.columns(-0.5, 0.5)].mean(axis=1)
@@ -221,7 +199,8 @@ def _half_widths(strip: StraightenedCurve, hits: IntArray) -> FloatArray:
         extents.append(np.where(below.any(axis=1), below.argmax(axis=1), below.shape[1]))
     step = float(strip.offsets_px[1] - strip.offsets_px[0])
     own = _median_around((np.minimum(*extents) - 0.5) * step, _WIDTH_HITS)
-    return np.interp(np.arange(len(strip.colours)), hits, np.clip(own, least, 5.0))
+    own = np.clip(np.maximum(own, np.median(own)), 0.75, 5.0)
+    return np.asarray(np.interp(np.arange(len(strip.colours)), hits, own))
 
 
 def _smooth(values: FloatArray) -> FloatArray:
@@ -333,9 +312,24 @@ class VisibleLine:
         return len(self.course_px)
 
     @property
+    def shown(self) -> BoolArray:
+        """(n,) which places can be seen."""
+        past = np.searchsorted(np.ravel(self.runs), np.arange(self.length), side="right")
+        return np.asarray(past % 2 == 1)
+
+    @property
     def seen(self) -> int:
         """Places that can be seen."""
-        return sum(end - begin for begin, end in self.runs)
+        return int(self.shown.sum())
+
+    def with_wider(self, half: VisibleLine) -> VisibleLine:
+        """The line with the stretches that only a picture of half the size shows."""
+        at, every = np.linspace(0.0, half.length - 1, self.length), np.arange(half.length)
+        wider = np.column_stack([np.interp(at, every, px) for px in 2 * half.course_px.T + 0.5])
+        shown = half.shown[at.round().astype(np.intp)]
+        only = shown & ~self.shown if self.runs else shown | True
+        course = np.where(only[:, None], wider, self.course_px)
+        return replace(self, course_px=course, runs=tuple(true_runs(self.shown | shown)))
 
 
 def find_line(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
 import cv2
@@ -20,6 +20,7 @@ from procc_annotator.field.model import (
     BLUE,
     DARKER,
     LIGHTER,
+    LINE,
     ORANGE,
     RED,
     WHITE,
@@ -29,6 +30,7 @@ from procc_annotator.field.model import (
 from procc_annotator.image.pixels import PixelArray
 
 MIN_WIDTH_PX, MAX_WIDTH_PX = 0.7, 14.0
+_REFERENCE_PX, _BLURRED_LENGTH_PX = 960.0, 46.0  # a picture's width; a line's length, at half size
 # Of the width a camera shows: blur, snow, worn paint. A bar is neither worn nor snowed on.
 _MIN_WIDTH_RATIO, _MIN_WIDTH_RATIO_BAR, _MAX_WIDTH_RATIO, _BLUR_PX = 0.35, 0.65, 1.3, 1.0
 
@@ -47,6 +49,7 @@ class LineTarget:
         bends: whether its direction changes along it.
         is_expected: whether a camera shows it there.
         is_wide: whether something narrower next to it could be a part of it.
+        length_px: how far it goes on at least.
     """
 
     looks: Appearance = ANY_LINE
@@ -54,6 +57,18 @@ class LineTarget:
     bends: bool = False
     is_expected: bool = False
     is_wide: bool = False
+    length_px: float = 0.0
+
+    @property
+    def is_pale_line(self) -> bool:
+        """Return whether it is a line of known tone, which may be blurred, or far from a click."""
+        return self.looks.kind == LINE and self.looks.tone != ANY
+
+    def blurred(self, picture_px: int, shrink: int = 1) -> LineTarget:
+        """The same as wide as motion makes it, and longer than players, in a picture of a width
+        that is made so many times smaller."""
+        widths = MAX_WIDTH_PX / shrink, MAX_WIDTH_PX * max(1.0, picture_px / _REFERENCE_PX) / shrink
+        return replace(self, width_px=widths, length_px=_BLURRED_LENGTH_PX)
 
     @classmethod
     def of(

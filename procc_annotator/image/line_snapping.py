@@ -82,11 +82,23 @@ def snap_to_line(
         return None
     wide = math.ceil(sought.width_px[1] / _SHRINK_WIDTH_PX)
     if wide > 1:
-        return _snap_to_wide_band(picture, point, sought, direction, reach_px, wide)
-    patch = _patch_around(picture, point, reach_px)
+        return _snap_in_smaller(picture, point, sought, direction, reach_px, wide)
+    near_px = min(reach_px, SNAP_RADIUS_PX) if sought.is_pale_line else reach_px
+    patch = _patch_around(picture, point, near_px)
     if direction is None:
-        return _snap_any_direction(picture, patch, point, sought, reach_px)
-    return _snap_with_direction(patch, point, sought, direction, reach_px)
+        return _snap_any_direction(picture, patch, point, sought, near_px)
+    placed = _snap_with_direction(patch, point, sought, direction, near_px)
+    if placed is not None or not sought.is_pale_line:
+        return placed
+    blurred, reach, shrink = sought.blurred(width), max(reach_px, 2 * SNAP_RADIUS_PX), 1
+    placed = _snap_in_smaller(picture, point, blurred, direction, reach, 2)
+    while placed is None and shrink * SNAP_RADIUS_PX < reach_px:
+        shrink *= 2
+        far = replace(sought, length_px=_MIN_LENGTH_ANY_PX)
+        placed = _snap_in_smaller(picture, point, far, direction, reach_px, shrink)
+        if placed is not None:  # the whole picture shows it as well
+            placed = snap_to_line(picture, placed, sought, direction=direction, reach_px=shrink)
+    return placed
 
 
 def is_searchable(sought: LineTarget) -> bool:
@@ -98,7 +110,7 @@ def is_searchable(sought: LineTarget) -> bool:
     return sought.is_expected
 
 
-def _snap_to_wide_band(
+def _snap_in_smaller(
     picture: PixelArray,
     point: tuple[float, float],
     sought: LineTarget,
@@ -106,11 +118,13 @@ def _snap_to_wide_band(
     reach_px: float,
     shrink: int,
 ) -> tuple[float, float] | None:
-    """A band too wide to be examined as it is, found in a smaller picture."""
+    """A band too wide, or too far away, to be examined as it is, found in a smaller picture."""
     if direction is None:
         return None
     least, most = (width / shrink for width in sought.width_px)
-    smaller = replace(sought, width_px=(least, most), is_wide=True)
+    smaller = replace(
+        sought, width_px=(least, most), is_wide=sought.length_px != _MIN_LENGTH_ANY_PX
+    )
     looked_at = reach_px / shrink + _SUBPATCH_PX
     reach = math.hypot(looked_at + MARGIN_PX, FOLLOWED_PX) * shrink
     patch = ImagePatch.around(picture, point, reach, shrink)
@@ -164,10 +178,10 @@ def _min_length_px(found: LineBand, course: LineExtent, sought: LineTarget) -> f
     letter's stroke; and so could anything that is farther away than a click errs.
     """
     farther = 0.0
-    if not sought.is_wide:
+    if not (sought.is_wide or sought.length_px):
         farther = _LENGTH_PER_OFFSET * max(0.0, abs(found.offset) - _CLICK_ERROR_PX)
     if sought.looks.tone != ANY:
-        return _MIN_LENGTH_PX + farther
+        return max(_MIN_LENGTH_PX + farther, sought.length_px)
     if sought.looks.kind == EDGE:
         return _MIN_LENGTH_ANY_PX + farther
     if course.start_px:

@@ -88,6 +88,16 @@ class TestSnapping:
         assert found[:, 1] == pytest.approx(clicked[:, 1], abs=0.6)
         assert kinds(on_pitch) == {OriginKind.SNAPPED: 2}
 
+    def test_clicks_land_on_a_line_seven_screen_px_away(self, make_window, pitch, hand_on):
+        small = cv2.imread(str(pitch / "0.jpg"))
+        cv2.imwrite(str(pitch / "0.jpg"), cv2.resize(small, (1920, 1080)))
+        window = make_window(pitch)
+        hand, away = hand_on(window), 7.0 / window.canvas.view_scale
+        assert away > 10.0
+        hand.draw(MIDDLE, (960.5 + away, 400), (960.5 - away, 960))
+        found = points_px(window.services.state.annotation.get(MIDDLE), (1920, 1080))
+        assert found[:, 0] == pytest.approx(960.5, abs=1.0)
+
     def test_on_plain_grass_the_click_stays_where_it_was(self, on_pitch, clicks):
         clicked = clicks.draw(MIDDLE, (350, 250), (360, 330))
         assert px(on_pitch, MIDDLE) == pytest.approx(clicked, abs=1e-9)

@@ -237,6 +237,19 @@ class TestAFrameWithoutAnnotation:
         assert not window.canvas.found_plate.isVisible()
 
 
+def test_a_frame_with_too_few_elements_for_a_camera_has_ghosts(
+    make_window, annotated, finder, qtbot
+):
+    path = annotated / "00002.json"
+    (name, points), *others = json.loads(path.read_text()).items()
+    path.write_text(json.dumps({name: points}))
+    window = make_window(annotated)
+    window.services.navigator.go_to(1)
+    all_done(qtbot)
+    assert len(ghosts(window)) > len(others) / 2
+    assert name not in ghosts(window)
+
+
 class TestAccepting:
     def test_all_of_them_is_one_step_and_bears_where_it_came_from(
         self, window, bare, hand_on, qtbot

@@ -21,9 +21,12 @@ from procc_annotator.calibration.label_check.candidate_classes import (
     relabelled,
 )
 from procc_annotator.calibration.label_check.evidence import (
+    CORRECT_PX,
+    STRAIGHT_TOLERANCE_PX,
     FrameEvidence,
     element_error,
     in_image_px,
+    line_residuals,
     suspect_limit,
 )
 from procc_annotator.calibration.label_check.explanation import (
@@ -47,6 +50,7 @@ from procc_annotator.calibration.optimization.observations import ImageFrame, bu
 from procc_annotator.calibration.optimization.robust_fit import MIN_ELEMENTS, OUTLIER_PX
 from procc_annotator.calibration.result import FitResult, PosedCamera
 from procc_annotator.field.landmarks import landmark_covariances
+from procc_annotator.field.sampling import touching_elements
 from procc_annotator.translation import (
     TranslatableText,
     translatable,
@@ -256,9 +260,23 @@ def _mistake_findings(doubted: SuspectFrame, found: Explanation) -> Iterator[Fin
         if len(group) > 1:
             yield _swap_finding(doubted, found, group, severity)
         elif name in found.points:
-            yield _outlier_point_finding(doubted, found, name, severity)
+            if not _is_on_next_element(doubted, found, name):
+                yield _outlier_point_finding(doubted, found, name, severity)
         else:
             yield _misplaced_finding(doubted, found, name, severity)
+
+
+def _is_on_next_element(doubted: SuspectFrame, found: Explanation, name: str) -> bool:
+    """Return whether the one point that is off is in line with its others, and on an element that
+    touches its own one: where one straight line leads into another nothing shows the joint."""
+    polyline, frame = doubted.annotation.get(name), doubted.frame
+    if polyline is None or len(polyline.points) < 3:
+        return False
+    others = touching_elements(doubted.field, name)
+    near = distances_to_classes(polyline, others, doubted.field, frame, found.vector)
+    off = np.abs(line_residuals(points_px(polyline, frame.size) * frame.scale)).max()
+    on_other = any(px[found.points[name].index] <= CORRECT_PX for px in near.values())
+    return on_other and bool(off <= STRAIGHT_TOLERANCE_PX)
 
 
 def _label_cycle(name: str, names: Mapping[str, str]) -> tuple[str, ...]:

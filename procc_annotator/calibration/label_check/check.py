@@ -50,8 +50,8 @@ _CAMERA_FREE_RULES: tuple[LabelRule, ...] = (
     shape_findings,
     overlap_findings,
     side_findings,
-    short_end_findings,
 )
+_END_RULES: tuple[LabelRule, ...] = (short_end_findings,)  # once all other errors are known
 # Of findings of one severity the surest come first.
 _RULE_ORDER = (
     Rule.PIXELS,
@@ -105,7 +105,7 @@ def check_labels(
     evidence = FrameEvidence(annotation, field, frame, fit, go_on)
     return tuple(
         sorted(
-            _drop_redundant(_apply_rules(evidence, _CAMERA_RULES, _CAMERA_FREE_RULES)),
+            _drop_redundant(_apply_rules(evidence, _CAMERA_RULES, _CAMERA_FREE_RULES, _END_RULES)),
             key=_finding_order,
         )
     )
@@ -157,7 +157,7 @@ def check_without_camera(
     evidence = FrameEvidence(annotation, field, ImageFrame(size, field.pixel_aspect), no_fit)
     return tuple(
         sorted(
-            _apply_rules(evidence, (unknown_class_findings, *_CAMERA_FREE_RULES)),
+            _apply_rules(evidence, (unknown_class_findings, *_CAMERA_FREE_RULES), _END_RULES),
             key=lambda f: f.severity.rank,
         )
     )

@@ -34,14 +34,13 @@ from procc_annotator.calibration.prediction.visible_elements import (
 from procc_annotator.camera.base import Camera
 from procc_annotator.field.geometry import Line
 from procc_annotator.field.model import BAR, LIGHTER, Element, Field
-from procc_annotator.field.sampling import sample_evenly, touching_elements
+from procc_annotator.field.sampling import distances_to
 from procc_annotator.translation import translatable
 
 # A shorter gap is how people click; beyond a longer one the line is hidden or worn.
 _MIN_GAP_PX, _MAX_GAP_PX = 15.0, 40.0
 _MAX_OFF_LINE_PX = 15.0
 _ON_ELEMENT_M = 0.2
-_END_SPACING_M = 0.25
 _CORNER_TEXT = translatable("its corner", "where a line ends")
 _EDGE_TEXT = translatable("the picture's edge", "where a line ends")
 
@@ -50,11 +49,13 @@ def short_end_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> Ite
     """Ends that were clicked too early; worth a look, no more. A camera that fits everything knows
     where the elements end; without one the other elements do."""
     clicked, field, frame = evidence.clicked, evidence.field, evidence.frame
-    by_name, wrong = {one.name: one for one in clicked}, error_classes(known)
+    if error_classes(known):
+        return  # ends are looked for at elements of wrong names
+    by_name = {one.name: one for one in clicked}
     camera = evidence.fit.camera if evidence.is_whole else None
     model = evidence.fit.model if camera is not None else None
     for one in clicked:
-        if one.name in wrong or not one.element.is_straight or len(one.points) < 2:
+        if not one.element.is_straight or len(one.points) < 2:
             continue
         points = _inside_image(one.points, frame)
         shown = _projected_ends(one.element, camera) if camera is not None else None
@@ -72,29 +73,11 @@ def short_end_findings(evidence: FrameEvidence, known: Sequence[Finding]) -> Ite
             if place is not None and _MIN_GAP_PX < gap * frame.scale < _MAX_GAP_PX:
                 gaps.append((gap, place[1]))
         if gaps:
-            yield Finding(
-                Rule.SHORT,
-                Severity.HINT,
-                (one.name,),
-                _gap_sentence(one.title, gaps),
-                (LOOK,),
-                model=model,
+            px, what = max(gaps)
+            reason = translatable(
+                "{title} stops {px:.0f} px short of {what}", title=one.title, px=px, what=what
             )
-
-
-def _gap_sentence(title: str, gaps: Sequence[tuple[float, str]]) -> str:
-    (px, what), *others = gaps
-    for px_2, what_2 in others:
-        return translatable(
-            "{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its"
-            " other end",
-            title=title,
-            px=px,
-            what=what,
-            px_2=px_2,
-            what_2=what_2,
-        )
-    return translatable("{title} stops {px:.0f} px short of {what}", title=title, px=px, what=what)
+            yield Finding(Rule.SHORT, Severity.HINT, (one.name,), reason, (LOOK,), model=model)
 
 
 def _inside_image(points: FloatArray, frame: ImageFrame) -> FloatArray:
@@ -157,18 +140,12 @@ def _end_by_neighbours(
 @lru_cache(maxsize=256)
 def _elements_at_end(elements: tuple[Element, ...], name: str) -> tuple[str, ...]:
     """The elements at which a straight one ends, not those that it merely crosses."""
-    field = Field("", "", (), elements)
-    shape = elements[field.index[name]].geometry
+    shape = next(e.geometry for e in elements if e.name == name)
     assert isinstance(shape, Line)  # of straight elements only
-    ends = np.array([shape.start, shape.end])
-    samples = sample_evenly(field, _END_SPACING_M)
-    found = []
-    for other in touching_elements(field, name):
-        points = samples.of(field.index[other])
-        apart = np.sqrt(((ends[:, None] - points[None]) ** 2).sum(axis=2)).min(axis=1)
-        if (apart < _ON_ELEMENT_M).any():
-            found.append(other)
-    return tuple(found)
+    near = distances_to(elements, np.array([shape.start, shape.end])).min(axis=0) < _ON_ELEMENT_M
+    return tuple(
+        e.name for e, is_near in zip(elements, near, strict=True) if is_near and e.name != name
+    )
 
 
 # Players hide shorter stretches, worn lines smaller shares, px at 960 px width.

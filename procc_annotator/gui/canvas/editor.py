@@ -292,7 +292,7 @@ class Editor(QObject):
         return self._draw if self._services.state.mode == "draw" else self._edit
 
     def _context(self) -> ToolContext:
-        services = self._services
+        services, self._snapper.view_scale = self._services, self.view_scale
         return ToolContext(
             services.state.annotation,
             services.state.picture_size or (2, 2),

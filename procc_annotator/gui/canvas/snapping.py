@@ -6,11 +6,12 @@ from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import same
-from procc_annotator.image.line_snapping import snap_to_line
+from procc_annotator.image.line_snapping import SNAP_RADIUS_PX, snap_to_line
 from procc_annotator.image.pixels import PixelArray
 from procc_annotator.interaction.gestures import Position, Snapper
 
 _KEPT = 16
+_HAND_PX, _LEAST_SCALE = 8.0, 1 / 6  # so far a hand is off, px of the screen; down to this scale
 
 Sought = tuple[str, Position, Position | None]
 
@@ -24,6 +25,7 @@ class ScreenSnapper:
 
     def __init__(self, services: Services) -> None:
         self._services = services
+        self.view_scale = 1.0  # screen px per picture px
         self._made_of: tuple[object, ...] = ()
         self._snap: Snapper | None = None
         self._found: dict[Sought, Position | None] = {}  # the latest last
@@ -63,11 +65,11 @@ class ScreenSnapper:
         if picture is None or size is None:
             return False
         camera = fit.camera if fit is not None and fit.size == size else None
-        made_of = picture, services.state.field, camera
+        made_of = picture, services.state.field, camera, self.view_scale
         if self._snap is None or not same(made_of, self._made_of):
             self._made_of = made_of
             expected = ExpectedLines(services.state.field, size[0], camera)
-            self._snap, self._found = _snapper(picture, expected), {}
+            self._snap, self._found = _snapper(picture, expected, self.view_scale), {}
         return True
 
     def _forget(self) -> None:
@@ -75,9 +77,12 @@ class ScreenSnapper:
         self._snap, self._found, self._made_of = None, {}, ()
 
 
-def _snapper(picture: PixelArray, expected: ExpectedLines) -> Snapper:
+def _snapper(picture: PixelArray, expected: ExpectedLines, view_scale: float) -> Snapper:
+    by_hand = max(SNAP_RADIUS_PX, _HAND_PX / max(view_scale, _LEAST_SCALE))
+
     def snapped(class_name: str, position: Position, direction: Position | None) -> Position | None:
         sought, shown = expected.at(class_name, position)
-        return snap_to_line(picture, position, sought, direction=direction or shown)
+        reach = by_hand if sought.is_pale_line else SNAP_RADIUS_PX
+        return snap_to_line(picture, position, sought, direction=direction or shown, reach_px=reach)
 
     return snapped

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.assist.frame_analysis import FrameAnalysis
-from procc_annotator.assist.ghost_points import GhostPoints, accept, accept_all, find_points
+from procc_annotator.assist.ghost_points import GhostPoints, accept, accept_all, find_points, retry
 from procc_annotator.calibration.prediction.ghosts import Ghost
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.settings import GHOST_SUPPORT, Settings
@@ -227,7 +227,7 @@ class GhostAccepting(QObject):
         made_for = services.ghosts.insight
         if not ghosts or made_for is None or not services.editing.begin_edit():
             return False  # somebody else has the frame, or nobody can edit it: that is said
-        picture, state = services.navigator.picture, services.state
+        picture, state, least = services.navigator.picture, services.state, self.least_support
         size, frame = state.picture_size, state.frame
         if picture is None or size is None or frame is None:
             self._say(tr("no ghost was accepted: there is no picture to look for their lines in"))
@@ -239,6 +239,8 @@ class GhostAccepting(QObject):
             for number, ghost in enumerate(ghosts):
                 control.progress_or_stop(number, len(ghosts))
                 found.append(known[ghost.name] or find_points(ghost, picture, field, size))
+            if everything:
+                return retry(made_for.annotation, tuple(found), picture, field, size, least)
             return tuple(found)
 
         def take(found: AllPoints) -> None:

@@ -123,10 +123,12 @@ def test_an_end_that_nothing_shows_is_cut_back_and_told(too_far_px):
     assert -10.0 < (last - CORNER) @ ALONG < 1.0
 
 
-@pytest.mark.parametrize("before_px", [12.0, 30.0])
-def test_a_line_that_is_seen_to_end_before_the_other_one_does_not_go_on_to_it(before_px):
-    """What was taken for the other one is the edge of a board behind it."""
-    picture = pitch(np.array([START, CORNER - before_px * ALONG]), GOAL_LINE)
+@pytest.mark.parametrize(("before_px", "foot"), [(12.0, False), (30.0, False), (30.0, True)])
+def test_a_line_that_is_seen_to_end_before_the_other_one_does_not_go_on_to_it(before_px, foot):
+    """What was taken for the other one is the edge of a board behind it, or its foot."""
+    picture = pitch(np.array([START, CORNER - before_px * ALONG]), GOAL_LINE).copy()
+    if foot:
+        picture[195:202, 742:750, :3] = 40
     end = ExpectedEnd(CORNER, 4.0, (ElementJoint("Side line right", dense(GOAL_LINE)),))
     found = found_on(picture, dense(np.array([START, CORNER])), end)
     last = points_px(Polyline("", found.points), SIZE)[-1]

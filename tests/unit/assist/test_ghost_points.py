@@ -15,7 +15,9 @@ from procc_annotator.assist.ghost_points import (
     accept,
     accept_all,
     find_points,
+    retry,
 )
+from procc_annotator.assist.line_evidence import ExpectedLines
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.prediction.ghosts import Ghost, GhostPiece, find_ghosts
 from procc_annotator.calibration.prediction.visible_elements import visible_stretches
@@ -24,6 +26,7 @@ from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.soccernet import read_annotation
 from procc_annotator.image.decoding import decode_bgra
+from procc_annotator.image.line_snapping import snap_to_line
 from procc_annotator.image.pixels import PixelArray
 from tests.drawn_shots import scenery, soccer, solids
 
@@ -227,6 +230,35 @@ def test_players_on_the_line_get_no_points():
     assert 0.8 < found.support < 0.97
 
 
+@pytest.mark.parametrize("blur_px", [1, 18])
+def test_a_line_that_motion_makes_wide_is_found(blur_px):
+    """By acceptance and by snapping, in a picture of 1920 px."""
+    size, line = (1920, 1080), ((800.0, 100.0), (860.0, 1000.0))
+    pixels = np.full((1080, 1920, 3), (52, 128, 78), dtype=np.uint8)
+    cv2.line(pixels, (800, 100), (860, 1000), (226, 232, 230), 5, cv2.LINE_AA)
+    picture = shown(cv2.blur(pixels, (blur_px, 1)))
+    course = moved(straight(*line), 4.0, 0.0)
+    found = find_points(ghost_along("Middle line", course), picture, FIELD, size)
+    assert found.support > 0.9
+    assert away(placed(found, size), [straight(*line)]).max() < 1.0
+    sought = ExpectedLines(FIELD, size[0]).of("Middle line")
+    for beside in (-5.0, 5.0):
+        place = snap_to_line(picture, (830.0 + beside, 550.0), sought, direction=(1.0, 15.0))
+        assert away(np.array([place]), [straight(*line)]).max() < 1.0
+
+
+@pytest.mark.parametrize("half_px", [15, 60])
+def test_no_chord_cuts_the_bend_of_a_curve_behind_a_player(half_px):
+    turn = np.linspace(0.0, 2.0 * np.pi, 900)
+    course = np.column_stack([640.0 + 400.0 * np.cos(turn), 360.0 + 60.0 * np.sin(turn)])
+    pixels = pitch()
+    cv2.polylines(pixels, [course.round().astype(np.int32)], True, (226, 232, 230), 4, cv2.LINE_AA)
+    pixels[360 - half_px : 360 + half_px, 220:300] = (40, 40, 190)
+    found = placed(find_points(ghost_along("Circle central", course), shown(pixels), FIELD, SIZE))
+    assert away(_dense(found), [course]).max() < 3.0
+    assert len(found) > 15
+
+
 @pytest.mark.parametrize("name", ["Side line top", "Goal left crossbar", "Circle left"])
 def test_a_ghost_in_the_crowd_or_on_bare_grass_finds_no_line(name):
     pixels = pitch()
@@ -275,6 +307,17 @@ def test_accepting_makes_elements_and_keeps_what_is_there():
     assert after.polylines == (mine, Polyline("Side line top", points))
     assert after.unconfirmed == ()
     assert accept(before, []) is before
+
+
+def test_lines_that_a_camera_misses_are_looked_for_where_the_others_show_them(drawn):
+    annotation, picture = drawn.annotation("00011"), drawn.picture("00011")
+    *seen, last = (
+        GhostPoints(p.class_name, p.points, 1.0) for p in annotation if len(p.points) > 1
+    )
+    missed = GhostPoints(last.name, (), 0.0)
+    again = retry(FrameAnnotation(), (*seen, missed), picture, FIELD, SIZE)
+    assert again[:-1] == tuple(seen)
+    assert again[-1].support > LEAST_SUPPORT
 
 
 def test_accepting_all_leaves_out_what_is_hardly_seen(drawn):

@@ -16,6 +16,7 @@ from PySide6.QtCore import QObject, Signal
 from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_clicks
 from procc_annotator.assist.track_anchors import CameraCorrection, align_to_lines
 from procc_annotator.batch.camera_proposals import set_pixel_aspect
+from procc_annotator.calibration.optimization.robust_fit import MIN_ELEMENTS
 from procc_annotator.calibration.result import FitResult
 from procc_annotator.calibration.single_image.proposal import NONE, SURE, UNSURE, Proposal
 from procc_annotator.calibration.single_image.propose import propose_camera
@@ -43,7 +44,7 @@ _NEIGHBOURS = (1, -1)  # looked at once nothing is left to do for the frame on s
 
 
 class Proposals(QObject):
-    """Looks at the frame on screen if nothing is annotated there, then at those next to it.
+    """Looks at the frame on screen if what is annotated gives no camera, then at those next to it.
 
     The answer is that of the picture alone, it does not depend on what was opened before; except
     how wide the pixels of the dataset are, which become part of its field and are kept. Nothing of
@@ -152,15 +153,14 @@ class Proposals(QObject):
         return None
 
     def _is_asked(self, index: int) -> bool:
-        """Return whether a camera should be proposed for a frame: no one annotated it."""
+        """Return whether a camera should be proposed: too little is annotated for one."""
         state = self._store.state
         workspace = state.workspace
         if workspace is None or index < 0 or not self.wanted or state.blind_lock is not None:
             return False
         if index == state.frame_index:
-            annotation = state.annotation
-            bare = not annotation.annotated and not annotation.unconfirmed
-            return bare and not state.why_broken and self.allowed
+            given = state.annotation.polylines + state.annotation.unconfirmed
+            return len(given) < MIN_ELEMENTS and not state.why_broken and self.allowed
         revealed = state.reveals(workspace.frames[index].name)
         return revealed and not is_annotated(workspace, index)
 

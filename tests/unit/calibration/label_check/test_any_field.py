@@ -334,3 +334,16 @@ def test_mistakes_elsewhere_are_found_beside_them(field):
     (finding,) = check_fitted(wrong, known)
     assert finding.rule is Rule.SWAPPED
     assert finding.severity is Severity.ERROR
+
+
+@pytest.mark.parametrize(("along_px", "across_px", "told"), [(14.0, 0.0, False), (0.0, 14.0, True)])
+def test_the_end_of_a_line_that_leads_into_another_may_lie_on_that_one(along_px, across_px, told):
+    field, name = load_field("basketball_nba"), "3-points right top"
+    annotation = clicks(field, camera_of(field, PLACES[1]))
+    points = points_px(annotation.get(name), SIZE)
+    points = points if points[0, 0] > points[-1, 0] else points[::-1]  # away from the baseline
+    along = (points[-1] - points[0]) / np.hypot(*(points[-1] - points[0]))
+    points[-1] += along_px * along + across_px * np.array([-along[1], along[0]])
+    wrong = Polyline(name, tuple(point_from_px(x, y, SIZE) for x, y in points))
+    found = check(annotation.with_polyline(wrong), field)
+    assert any(name in f.elements for f in found) is told

@@ -96,6 +96,16 @@ def test_two_labels_that_are_swapped_are_one_finding(clean, field, pair):
     assert all(f.severity is Severity.HINT for f in rest)
 
 
+def test_a_short_end_waits_until_the_labels_are_right(clean, field):
+    points = points_px(clean.get(SMALL_FRONT), SIZE)
+    points[-1] -= 20 * (points[-1] - points[0]) / np.hypot(*(points[-1] - points[0]))
+    ends = tuple(point_from_px(x, y, SIZE) for x, y in points[[0, -1]])
+    short = clean.with_polyline(Polyline(SMALL_FRONT, ends))
+    assert {f.rule for f in check(short, field)} == {Rule.SHORT}
+    wrong = swap_classes(short, FRONT, "Side line left")
+    assert {f.rule for f in check(wrong, field)} == {Rule.SWAPPED}
+
+
 def test_three_labels_in_a_circle_are_one_finding(clean, field):
     names = (FRONT, SMALL_FRONT, "Side line left")
     becomes = dict(zip(names, (*names[1:], names[0]), strict=True))
