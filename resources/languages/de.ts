@@ -516,9 +516,9 @@
    <translation>{lines:.0f} % der erwarteten Linien gefunden, {paint:.0f} % der sichtbaren Farbe zugeordnet</translation>
   </message>
   <message>
-   <source>is this {field}, and no other sport? {why}</source>
+   <source>is this {field}? {why}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>ist dies {field} und keine andere Sportart? {why}</translation>
+   <translation>ist dies {field}? {why}</translation>
   </message>
   <message>
    <source>no camera fits the lines (best: {shares})</source>
@@ -798,7 +798,7 @@
   </message>
   <message>
    <source>saved</source>
-   <extracomment>[procc_annotator/dataset/saving.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>gespeichert</translation>
   </message>
   <message>
@@ -1127,6 +1127,11 @@
    <translation>Kamera gezogen, {pegs}, an der Farbe genau gemacht: {share:.0%} ihrer Linien</translation>
   </message>
   <message>
+   <source>Camera found, unsure: {why}. Shift+Enter accepts, Delete rejects it</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Kamera gefunden, unsicher: {why}. Umschalt+Eingabe nimmt sie an, Entf lehnt sie ab</translation>
+  </message>
+  <message>
    <source>Camera dragged, {pegs}, not made exact: {why}</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>Kamera gezogen, {pegs}, nicht genau gemacht: {why}</translation>
@@ -1140,11 +1145,6 @@
    <source>Divider of the split view</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>Trennlinie der geteilten Ansicht</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>Kamera gefunden, unsicher: {why}</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}</source>
@@ -1162,9 +1162,9 @@
    <translation>Die Kamera wird im Bild gesucht …</translation>
   </message>
   <message>
-   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
+   <source>No camera found: {why}. To begin, {advice} (Enter takes the first). Another sport? Click here</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>Keine Kamera gefunden: {why}. Zeichnen Sie zuerst 3 Elemente, von denen zwei sich treffen</translation>
+   <translation>Keine Kamera gefunden: {why}. Zu Beginn {advice} (Eingabe nimmt das erste). Andere Sportart? Hier klicken</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1277,7 +1277,7 @@
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>kein Bild vor diesem ist annotiert</translation>
   </message>
   <message>
@@ -2048,19 +2048,9 @@ Verliert {loses}.</translation>
    <translation>Blind: der Satz wird angesehen, sobald ein Bild davon abgegeben ist (Strg+Eingabe).</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
+   <source>no further frame this way: {what}</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>kein Bild nach diesem ist annotiert</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>kein Bild nach diesem ist zweifelhaft</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>kein Bild vor diesem ist zweifelhaft</translation>
+   <translation>kein weiteres Bild in dieser Richtung: {what}</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: JaC {value:.3f}</source>
@@ -2083,9 +2073,29 @@ Verliert {loses}.</translation>
    <translation>{place} von {total}, unsicherste zuerst</translation>
   </message>
   <message>
-   <source>no other frame is rejected</source>
+   <source>none is annotated</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>kein anderes Bild ist abgelehnt</translation>
+   <translation>keines ist annotiert</translation>
+  </message>
+  <message>
+   <source>all are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>alle sind annotiert</translation>
+  </message>
+  <message>
+   <source>all are done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>alle sind fertig oder freigegeben</translation>
+  </message>
+  <message>
+   <source>none is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>keines ist abgelehnt</translation>
+  </message>
+  <message>
+   <source>this is the last one</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>dies ist das letzte</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2121,26 +2131,6 @@ Verliert {loses}.</translation>
    <source>these frames do not follow one another</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>diese Bilder folgen nicht aufeinander</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>jedes Bild nach diesem ist annotiert</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>jedes Bild vor diesem ist annotiert</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>jedes Bild nach diesem ist fertig oder freigegeben</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>jedes Bild vor diesem ist fertig oder freigegeben</translation>
   </message>
   <message>
    <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
@@ -2181,6 +2171,11 @@ Verliert {loses}.</translation>
    <source>{source} and {other} are compared</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>{source} und {other} sind verglichen</translation>
+  </message>
+  <message>
+   <source>none is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>keines ist zweifelhaft</translation>
   </message>
   <message>
    <source>skipped (under {least:.0%} visible): {ghosts}</source>
@@ -2236,14 +2231,6 @@ Verliert {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>{what} angenommen</translation>
   </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} Ende ist nicht zu sehen: die Punkte hören davor auf</numerusform>
-    <numerusform>{n} Enden sind nicht zu sehen: die Punkte hören davor auf</numerusform>
-   </translation>
-  </message>
   <message>
    <source>the frame was edited meanwhile</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
@@ -2258,16 +2245,6 @@ Verliert {loses}.</translation>
    <source>{element} is not accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>{element} ist nicht angenommen: {why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>Alle Geister annehmen</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>Wie viel der Linie eines Geistes zu sehen sein muss, damit er mit allen anderen angenommen wird (%):</translation>
   </message>
   <message>
    <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
@@ -2330,25 +2307,22 @@ Verliert {loses}.</translation>
    <translation>gehen Sie zuerst zu einem Geist (Tab) oder wählen Sie ein Element</translation>
   </message>
   <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <source>{n} ghosts left, Tab begins again</source>
+   <extracomment>{n} ghost left, Tab begins again / {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>
-    <numerusform>das war der erste Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
-    <numerusform>das war der erste Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
+    <numerusform>{n} Geist bleibt, Tab beginnt von vorn</numerusform>
+    <numerusform>{n} Geister bleiben, Tab beginnt von vorn</numerusform>
    </translation>
   </message>
   <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <source>that was the last ghost</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente, oder folgen Sie der Einstellung (T)</translation>
+   <translation>das war der letzte Geist</translation>
   </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>das war der letzte Geist; {n} Geist bleibt, Tab beginnt von vorn</numerusform>
-    <numerusform>das war der letzte Geist; {n} Geister bleiben, Tab beginnt von vorn</numerusform>
-   </translation>
+  <message>
+   <source>that was the first ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>das war der erste Geist</translation>
   </message>
   <message>
    <source>the camera is being fitted: ghosts come in a moment</source>
@@ -2361,6 +2335,11 @@ Verliert {loses}.</translation>
    <translation>keine Geister: die Kamera wird im Bild gesucht</translation>
   </message>
   <message>
+   <source>no ghosts: no camera is known; {advice}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>keine Geister: keine Kamera bekannt; {advice}</translation>
+  </message>
+  <message>
    <source>no ghosts: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>keine Geister: {why}</translation>
@@ -2369,16 +2348,6 @@ Verliert {loses}.</translation>
    <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>keine Geister: was sonst zu sehen ist, ist annotiert oder nicht gut genug bekannt</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>keine Geister: annotieren Sie drei oder vier Elemente, daraus folgt eine Kamera</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>in diesem Bild wurde keine Kamera gefunden: zeichnen Sie drei oder vier Elemente</translation>
   </message>
   <message>
    <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
@@ -2429,11 +2398,6 @@ Verliert {loses}.</translation>
    <source>no element of this frame was said to be not visible</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>kein Element dieses Bildes galt als nicht sichtbar</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>das war der letzte Geist</translation>
   </message>
   <message>
    <source>go to a ghost first (Tab)</source>
@@ -2746,7 +2710,7 @@ Verliert {loses}.</translation>
   </message>
   <message>
    <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/tour.py]</extracomment>
    <translation>das Beispiel kommt mit dem Quelltext, nicht hier</translation>
   </message>
   <message>
@@ -3059,15 +3023,18 @@ Verliert {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>kein Bild angenommen: {why}</translation>
   </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>Spur annehmen</translation>
+  <message numerus="yes">
+   <source>annotate {n:,} frames</source>
+   <extracomment>annotate {n:,} frame / annotate {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} Bild annotieren</numerusform>
+    <numerusform>{n:,} Bilder annotieren</numerusform>
+   </translation>
   </message>
   <message>
-   <source>take back the track</source>
+   <source>take back accepted elements</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>Spur zurücknehmen</translation>
+   <translation>angenommene Elemente zurücknehmen</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3106,9 +3073,9 @@ Verliert {loses}.</translation>
    <translation>die Kamera dieses Bildes ist unsicher: eine sichere wird in der Einstellung gesucht; sehen Sie diese an, übernehmen Sie ihre Linien (Umschalt+Eingabe), dann folgt T ihnen</translation>
   </message>
   <message>
-   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter), or {advice}; then T follows it</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>kein Bild der Einstellung hat eine sichere Kamera: übernehmen Sie die Linien eines Bildes (Umschalt+Eingabe) oder annotieren Sie es, dann folgt T ihm</translation>
+   <translation>kein Bild der Einstellung hat eine sichere Kamera: übernehmen Sie die Linien eines Bildes (Umschalt+Eingabe) oder {advice}; dann folgt T ihm</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -3389,6 +3356,11 @@ Verliert {loses}.</translation>
    </translation>
   </message>
   <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Dieser Name passt nicht zum Muster: das Bild steht allein</translation>
+  </message>
+  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} gruppiert ab jetzt {sizes}</translation>
@@ -3408,11 +3380,6 @@ Verliert {loses}.</translation>
     <numerusform>{n:,} Name passt nicht (zuletzt in der Tabelle)</numerusform>
     <numerusform>{n:,} Namen passen nicht (zuletzt in der Tabelle)</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>Dieser Name passt nicht zum Muster: das Bild steht allein</translation>
   </message>
   <message>
    <source>Group views</source>
@@ -4202,9 +4169,9 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
    <translation>{model} (Boden)</translation>
   </message>
   <message>
-   <source>{model} here, several models</source>
+   <source>{model} here</source>
    <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
-   <translation>{model} hier, mehrere Modelle</translation>
+   <translation>{model} hier</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
@@ -4215,11 +4182,11 @@ procc-annotator track verfolgt ein ganzes Video und schreibt seine Kameras</tran
    </translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <source>{n:,} opened frames</source>
+   <extracomment>{n:,} opened frame / {n:,} opened frames [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
-    <numerusform>{n:,} Bild angepasst</numerusform>
-    <numerusform>{n:,} Bilder angepasst</numerusform>
+    <numerusform>{n:,} geöffnetes Bild</numerusform>
+    <numerusform>{n:,} geöffnete Bilder</numerusform>
    </translation>
   </message>
   <message>
@@ -4708,9 +4675,9 @@ Open a folder of pictures to check their labels.</source>
    </translation>
   </message>
   <message>
-   <source>Which findings are listed</source>
+   <source>List the findings of all checked frames, errors first, or of this frame</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Welche Befunde aufgeführt sind</translation>
+   <translation>Die Befunde aller geprüften Bilder, Fehler zuerst, oder die dieses Bildes aufführen</translation>
   </message>
   <message>
    <source>Frames checked</source>
@@ -4775,11 +4742,6 @@ Open a folder of pictures to check their labels.</source>
    <translation>Befunde</translation>
   </message>
   <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Dieses Bild</translation>
-  </message>
-  <message>
    <source>Whole set</source>
    <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Ganzer Satz</translation>
@@ -4836,41 +4798,6 @@ Open a folder of pictures to check their labels.</source>
    <source>Largest distance of its points to the fitted element, px of the picture</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>Größter Abstand seiner Punkte zum angepassten Element, px des Bildes</translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>automatisch gewählt</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>H: Homographie des Bodens</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>P: Lochkamera</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R: Lochkamera, Linsenverzeichnung</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R+: R, Seitenverhältnis, Bildhauptpunkt</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R2: R+, zweiter radialer Koeffizient</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>F: Fischauge</translation>
   </message>
   <message>
    <source>{model}. Chosen: {why}</source>
@@ -5503,6 +5430,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Noch zu wenige Punkte: fünf in einem Bildteil ergeben einen Pfeil.</translation>
   </message>
   <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Dieses Bild</translation>
+  </message>
+  <message>
    <source>Copy or save the plot and its numbers</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Das Diagramm und seine Zahlen kopieren oder speichern</translation>
@@ -5521,11 +5453,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>All elements</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Alle Elemente</translation>
-  </message>
-  <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Sichern</translation>
   </message>
   <message>
    <source>Plot</source>
@@ -5588,6 +5515,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>(ohne Bewertung)</translation>
   </message>
   <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Sichern</translation>
+  </message>
+  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Im Blindmodus abgegeben, und noch wie damals.</translation>
@@ -5606,11 +5538,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Wie die Punkte dieses Bildes entstanden</translation>
-  </message>
-  <message>
-   <source>Comment on this frame</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Kommentar zu diesem Bild</translation>
   </message>
   <message>
    <source>Add the comment to the thread (Enter)</source>
@@ -5648,6 +5575,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Keine Kommentare zu diesem Bild.</translation>
   </message>
   <message>
+   <source>Comment on this place</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Kommentar zu dieser Stelle</translation>
+  </message>
+  <message>
    <source>{frame} is {status}</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>{frame} ist {status}</translation>
@@ -5679,6 +5611,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
     <numerusform>zu bestätigen (Umschalt+V): {n:,} Element</numerusform>
     <numerusform>zu bestätigen (Umschalt+V): {n:,} Elemente</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Comment on this frame</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Kommentar zu diesem Bild</translation>
   </message>
   <message>
    <source>Ticked: settled</source>
@@ -6259,6 +6196,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>nichts ist geöffnet</translation>
   </message>
   <message>
+   <source>unfinished elements were kept: {titles}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>unfertige Elemente sind aufgehoben: {titles}</translation>
+  </message>
+  <message>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>das Feld dieses Datensatzes: {field}</translation>
@@ -6269,9 +6211,54 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>der Filter zeigt in dieser Richtung kein weiteres Bild</translation>
   </message>
   <message>
+   <source>you rejected it (Ctrl+Z takes that back)</source>
+   <extracomment>[procc_annotator/gui/state/prediction/camera_choice.py]</extracomment>
+   <translation>von Ihnen abgelehnt (Strg+Z nimmt das zurück)</translation>
+  </message>
+  <message>
+   <source>draw 3 elements, two of which meet, such as {names}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>zeichnen Sie 3 Elemente, von denen zwei sich treffen, etwa {names}</translation>
+  </message>
+  <message>
    <source>{title}: its line could not be looked for: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
    <translation>{title}: seine Linie konnte nicht gesucht werden: {why}</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>automatisch gewählt</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>H: Homographie des Bodens</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>P: Lochkamera</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R: Lochkamera, Linsenverzeichnung</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R+: R, Seitenverhältnis, Bildhauptpunkt</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R2: R+, zweiter radialer Koeffizient</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>F: Fischauge</translation>
   </message>
   <message>
    <source>the fit failed: {why}</source>
@@ -6465,11 +6452,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Live fit: model {model}</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Laufende Anpassung: Modell {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Dieses Modell an die Klicks anpassen; auto nimmt das einfachste, das sie hergeben</translation>
   </message>
   <message>
    <source>Panel {title}</source>
@@ -6895,11 +6877,6 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Status dieses Bildes (Bereich Durchsicht)</translation>
   </message>
   <message>
-   <source>JaC – {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>JaC – {why}</translation>
-  </message>
-  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Womit die Bewertung berechnet ist: {terms}</translation>
@@ -6948,9 +6925,74 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>blind: erst abgeben</translation>
   </message>
   <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>keine Änderungen</translation>
+   <source>{n} of {total}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>{n} von {total}</translation>
+  </message>
+  <message>
+   <source>The camera is found without a click; dashed: what it expects. Shift+Enter accepts that</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Die Kamera wird ohne Klick gefunden; gestrichelt: was sie erwartet. Umschalt+Eingabe nimmt es an</translation>
+  </message>
+  <message>
+   <source>W switches to editing: drag a point off its line</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>W wechselt zum Bearbeiten: ziehen Sie einen Punkt von seiner Linie weg</translation>
+  </message>
+  <message>
+   <source>The tab Check lists possible mistakes: open it. F12 applies the first remedy</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Der Reiter „Befunde“ zeigt mögliche Fehler: öffnen Sie ihn. F12 führt die erste Abhilfe aus</translation>
+  </message>
+  <message>
+   <source>Ctrl+Enter: this frame is done</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Strg+Eingabe: dieses Bild ist fertig</translation>
+  </message>
+  <message>
+   <source>Ctrl+Shift+D: a frame without annotation. W, and draw a line: click its ends, press Enter, choose its name</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Strg+Umschalt+D: ein Bild ohne Annotation. W, dann eine Linie zeichnen: Enden anklicken, Eingabe, Namen wählen</translation>
+  </message>
+  <message>
+   <source>Judge, at the top right (Shift+F2), then C: the fitted camera, judged by your annotation</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>„Beurteilen“ oben rechts (Umschalt+F2), dann C: die angepasste Kamera, an Ihrer Annotation gemessen</translation>
+  </message>
+  <message>
+   <source>File &gt; Export as… writes the annotations for other programs: look at it</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Datei &gt; Exportieren als… schreibt die Annotationen für andere Programme: sehen Sie es an</translation>
+  </message>
+  <message>
+   <source>That was the tour. Shift+F1: back to annotating; F1: all keys</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Das war der Rundgang. Umschalt+F1: zurück zum Annotieren; F1: alle Tasten</translation>
+  </message>
+  <message>
+   <source>Go on to the next step</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Zum nächsten Schritt weitergehen</translation>
+  </message>
+  <message>
+   <source>Esc ends the tour, too</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Auch Esc beendet den Rundgang</translation>
+  </message>
+  <message>
+   <source>Skip</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Überspringen</translation>
+  </message>
+  <message>
+   <source>End</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Beenden</translation>
+  </message>
+  <message>
+   <source>the sample cannot be copied: {why}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>das Beispiel lässt sich nicht kopieren: {why}</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -6986,6 +7028,11 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <source>Try the sample</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Beispiel ausprobieren</translation>
+  </message>
+  <message>
+   <source>Tour (60 seconds)</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action tour]</extracomment>
+   <translation>Rundgang (60 Sekunden)</translation>
   </message>
   <message>
    <source>Go on with</source>
@@ -8050,6 +8097,11 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Zurück zum vorigen Bild, das weder fertig noch freigegeben ist</translation>
   </message>
   <message>
+   <source>Go to</source>
+   <extracomment>[the menus]</extracomment>
+   <translation>Gehen zu</translation>
+  </message>
+  <message>
    <source>Next rejected</source>
    <extracomment>[the action next_rejected]</extracomment>
    <translation>Nächstes abgelehntes</translation>
@@ -8235,9 +8287,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Nächstes annotiertes Bild</translation>
   </message>
   <message>
-   <source>Go on to the next frame of the shot that is annotated</source>
+   <source>Go on to the next frame that is annotated</source>
    <extracomment>[the action next_anchor]</extracomment>
-   <translation>Zum nächsten annotierten Bild der Einstellung</translation>
+   <translation>Zum nächsten annotierten Bild</translation>
   </message>
   <message>
    <source>Previous annotated frame</source>
@@ -8348,6 +8400,16 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <source>Write to the thread of this frame</source>
    <extracomment>[the action comment]</extracomment>
    <translation>Etwas zu diesem Bild schreiben</translation>
+  </message>
+  <message>
+   <source>Comment on this place…</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>Kommentar zu dieser Stelle…</translation>
+  </message>
+  <message>
+   <source>Write a comment on the place at the cursor; a numbered pin marks it in the picture</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>Einen Kommentar zur Stelle am Mauszeiger schreiben; eine nummerierte Nadel markiert sie im Bild</translation>
   </message>
   <message>
    <source>Earlier versions…</source>
@@ -8495,9 +8557,9 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Das Element beenden, ohne zum nächsten zu gehen</translation>
   </message>
   <message>
-   <source>Take back last point</source>
+   <source>Remove the last point</source>
    <extracomment>[the action back]</extracomment>
-   <translation>Letzten Punkt zurücknehmen</translation>
+   <translation>Letzten Punkt entfernen</translation>
   </message>
   <message>
    <source>Remove the point clicked last</source>
@@ -8648,6 +8710,11 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <source>Make the ghost an element: points on its painted line, none where that is hidden (Enter)</source>
    <extracomment>[the action accept_ghost]</extracomment>
    <translation>Den Geist zum Element machen: Punkte auf seiner gemalten Linie, keine, wo sie verdeckt ist (Eingabe)</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[the action accept_ghosts]</extracomment>
+   <translation>Alle Geister annehmen</translation>
   </message>
   <message>
    <source>Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing is being drawn)</source>
@@ -9235,6 +9302,11 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <translation>Die Befehlspalette: jede Aktion, jedes Element, Bild, jede Kameraquelle und jeder letzte Ordner nach ein paar Buchstaben des Namens</translation>
   </message>
   <message>
+   <source>Draw, accept, check, judge and export, step by step, on a copy of the sample</source>
+   <extracomment>[the action tour]</extracomment>
+   <translation>Zeichnen, annehmen, prüfen, beurteilen und exportieren, Schritt für Schritt, an einer Kopie des Beispiels</translation>
+  </message>
+  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>Alle Aktionen und ihre Tasten auf einem Blatt zeigen</translation>
@@ -9368,41 +9440,6 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
    <source>The camera that is fitted to the clicks; auto: the simplest that they support</source>
    <extracomment>[the setting fit_model]</extracomment>
    <translation>Die Kamera, die an die Klicks angepasst wird; auto: die einfachste, die sie hergeben</translation>
-  </message>
-  <message>
-   <source>auto</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>auto</translation>
-  </message>
-  <message>
-   <source>H</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>H</translation>
-  </message>
-  <message>
-   <source>P</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>P</translation>
-  </message>
-  <message>
-   <source>R</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R</translation>
-  </message>
-  <message>
-   <source>R+</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R+</translation>
-  </message>
-  <message>
-   <source>R2</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R2</translation>
-  </message>
-  <message>
-   <source>F</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>F</translation>
   </message>
   <message>
    <source>Judge the fit</source>

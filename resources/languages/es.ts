@@ -516,9 +516,9 @@
    <translation>hallado el {lines:.0f} % de las líneas esperadas, explicado el {paint:.0f} % de la pintura visible</translation>
   </message>
   <message>
-   <source>is this {field}, and no other sport? {why}</source>
+   <source>is this {field}? {why}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>¿es esto {field} y no otro deporte? {why}</translation>
+   <translation>¿es esto {field}? {why}</translation>
   </message>
   <message>
    <source>no camera fits the lines (best: {shares})</source>
@@ -798,7 +798,7 @@
   </message>
   <message>
    <source>saved</source>
-   <extracomment>[procc_annotator/dataset/saving.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>guardado</translation>
   </message>
   <message>
@@ -1127,6 +1127,11 @@
    <translation>Cámara arrastrada, {pegs}, afinada con la pintura: {share:.0%} de sus líneas</translation>
   </message>
   <message>
+   <source>Camera found, unsure: {why}. Shift+Enter accepts, Delete rejects it</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Cámara hallada, insegura: {why}. Mayús+Intro la acepta, Supr la rechaza</translation>
+  </message>
+  <message>
    <source>Camera dragged, {pegs}, not made exact: {why}</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>Cámara arrastrada, {pegs}, sin afinar: {why}</translation>
@@ -1140,11 +1145,6 @@
    <source>Divider of the split view</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>Divisor de la vista dividida</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>Cámara hallada, insegura: {why}</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}</source>
@@ -1162,9 +1162,9 @@
    <translation>Buscando la cámara en la imagen …</translation>
   </message>
   <message>
-   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
+   <source>No camera found: {why}. To begin, {advice} (Enter takes the first). Another sport? Click here</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>No se halló cámara: {why}. Dibuje primero 3 elementos, dos de ellos que se crucen</translation>
+   <translation>No se halló cámara: {why}. Para empezar, {advice} (Intro toma el primero). ¿Otro deporte? Haga clic aquí</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1277,7 +1277,7 @@
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>ninguna imagen antes de esta está anotada</translation>
   </message>
   <message>
@@ -2048,19 +2048,9 @@ Pierde {loses}.</translation>
    <translation>Ciego: el conjunto se mira cuando una de sus imágenes está entregada (Ctrl+Intro).</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
+   <source>no further frame this way: {what}</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>ninguna imagen después de esta está anotada</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>ninguna imagen después de esta es dudosa</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>ninguna imagen antes de esta es dudosa</translation>
+   <translation>no hay más imágenes en este sentido: {what}</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: JaC {value:.3f}</source>
@@ -2083,9 +2073,29 @@ Pierde {loses}.</translation>
    <translation>{place} de {total}, las menos seguras primero</translation>
   </message>
   <message>
-   <source>no other frame is rejected</source>
+   <source>none is annotated</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>ninguna otra imagen está rechazada</translation>
+   <translation>ninguna está anotada</translation>
+  </message>
+  <message>
+   <source>all are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>todas están anotadas</translation>
+  </message>
+  <message>
+   <source>all are done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>todas están terminadas o aprobadas</translation>
+  </message>
+  <message>
+   <source>none is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ninguna está rechazada</translation>
+  </message>
+  <message>
+   <source>this is the last one</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>esta es la última</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2121,26 +2131,6 @@ Pierde {loses}.</translation>
    <source>these frames do not follow one another</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>estas imágenes no van seguidas</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>todas las imágenes después de esta están anotadas</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>todas las imágenes antes de esta están anotadas</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>todas las imágenes después de esta están terminadas o aprobadas</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>todas las imágenes antes de esta están terminadas o aprobadas</translation>
   </message>
   <message>
    <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
@@ -2181,6 +2171,11 @@ Pierde {loses}.</translation>
    <source>{source} and {other} are compared</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>{source} y {other} están comparadas</translation>
+  </message>
+  <message>
+   <source>none is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>ninguna es dudosa</translation>
   </message>
   <message>
    <source>skipped (under {least:.0%} visible): {ghosts}</source>
@@ -2236,14 +2231,6 @@ Pierde {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>{what} aceptado</translation>
   </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} extremo no se ve: los puntos acaban antes</numerusform>
-    <numerusform>{n} extremos no se ven: los puntos acaban antes</numerusform>
-   </translation>
-  </message>
   <message>
    <source>the frame was edited meanwhile</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
@@ -2258,16 +2245,6 @@ Pierde {loses}.</translation>
    <source>{element} is not accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>{element} no está aceptado: {why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>Aceptar todos los fantasmas</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>Cuánto de la línea de un fantasma debe verse para aceptarlo con todos los demás (%):</translation>
   </message>
   <message>
    <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
@@ -2330,25 +2307,22 @@ Pierde {loses}.</translation>
    <translation>vaya primero a un fantasma (Tab) o elija un elemento</translation>
   </message>
   <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <source>{n} ghosts left, Tab begins again</source>
+   <extracomment>{n} ghost left, Tab begins again / {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>
-    <numerusform>ese era el primer fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
-    <numerusform>ese era el primer fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
+    <numerusform>queda {n} fantasma, Tab empieza de nuevo</numerusform>
+    <numerusform>quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
    </translation>
   </message>
   <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <source>that was the last ghost</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos, o siga el plano (T)</translation>
+   <translation>ese era el último fantasma</translation>
   </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>ese era el último fantasma; queda {n} fantasma, Tab empieza de nuevo</numerusform>
-    <numerusform>ese era el último fantasma; quedan {n} fantasmas, Tab empieza de nuevo</numerusform>
-   </translation>
+  <message>
+   <source>that was the first ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>ese era el primer fantasma</translation>
   </message>
   <message>
    <source>the camera is being fitted: ghosts come in a moment</source>
@@ -2361,6 +2335,11 @@ Pierde {loses}.</translation>
    <translation>no hay fantasmas: se busca la cámara en la imagen</translation>
   </message>
   <message>
+   <source>no ghosts: no camera is known; {advice}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>no hay fantasmas: no se conoce ninguna cámara; {advice}</translation>
+  </message>
+  <message>
    <source>no ghosts: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>no hay fantasmas: {why}</translation>
@@ -2369,16 +2348,6 @@ Pierde {loses}.</translation>
    <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>no hay fantasmas: lo demás que está a la vista está anotado, o no se conoce lo bastante bien</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>no hay fantasmas: anote tres o cuatro elementos y de ellos sale una cámara</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>no se halló cámara en esta imagen: dibuje tres o cuatro elementos</translation>
   </message>
   <message>
    <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
@@ -2429,11 +2398,6 @@ Pierde {loses}.</translation>
    <source>no element of this frame was said to be not visible</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>de ningún elemento de esta imagen se dijo que no fuera visible</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>ese era el último fantasma</translation>
   </message>
   <message>
    <source>go to a ghost first (Tab)</source>
@@ -2746,7 +2710,7 @@ Pierde {loses}.</translation>
   </message>
   <message>
    <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/tour.py]</extracomment>
    <translation>el ejemplo viene con el código fuente, no aquí</translation>
   </message>
   <message>
@@ -3059,15 +3023,18 @@ Pierde {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>no se aceptó ninguna imagen: {why}</translation>
   </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>aceptar el seguimiento</translation>
+  <message numerus="yes">
+   <source>annotate {n:,} frames</source>
+   <extracomment>annotate {n:,} frame / annotate {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>anotar {n:,} imagen</numerusform>
+    <numerusform>anotar {n:,} imágenes</numerusform>
+   </translation>
   </message>
   <message>
-   <source>take back the track</source>
+   <source>take back accepted elements</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>retirar el seguimiento</translation>
+   <translation>retirar los elementos aceptados</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3106,9 +3073,9 @@ Pierde {loses}.</translation>
    <translation>la cámara de esta imagen es insegura: se busca una segura en el plano; mire esta, acepte sus líneas (Mayús+Intro) y T las seguirá</translation>
   </message>
   <message>
-   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter), or {advice}; then T follows it</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>ninguna imagen del plano tiene una cámara segura: acepte las líneas de una (Mayús+Intro) o anótela y T la seguirá</translation>
+   <translation>ninguna imagen del plano tiene una cámara segura: acepte las líneas de una (Mayús+Intro), o {advice}; entonces T la sigue</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -3389,6 +3356,11 @@ Pierde {loses}.</translation>
    </translation>
   </message>
   <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Este nombre no encaja en el patrón: la imagen queda sola</translation>
+  </message>
+  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} agrupa {sizes} desde ahora</translation>
@@ -3408,11 +3380,6 @@ Pierde {loses}.</translation>
     <numerusform>{n:,} nombre no encaja (al final de la tabla)</numerusform>
     <numerusform>{n:,} nombres no encajan (al final de la tabla)</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>Este nombre no encaja en el patrón: la imagen queda sola</translation>
   </message>
   <message>
    <source>Group views</source>
@@ -4202,9 +4169,9 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
    <translation>{model} (suelo)</translation>
   </message>
   <message>
-   <source>{model} here, several models</source>
+   <source>{model} here</source>
    <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
-   <translation>{model} aquí, varios modelos</translation>
+   <translation>{model} aquí</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
@@ -4215,11 +4182,11 @@ procc-annotator track sigue un vídeo entero y escribe sus cámaras</translation
    </translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <source>{n:,} opened frames</source>
+   <extracomment>{n:,} opened frame / {n:,} opened frames [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
-    <numerusform>{n:,} imagen ajustada</numerusform>
-    <numerusform>{n:,} imágenes ajustadas</numerusform>
+    <numerusform>{n:,} imagen abierta</numerusform>
+    <numerusform>{n:,} imágenes abiertas</numerusform>
    </translation>
   </message>
   <message>
@@ -4708,9 +4675,9 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    </translation>
   </message>
   <message>
-   <source>Which findings are listed</source>
+   <source>List the findings of all checked frames, errors first, or of this frame</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Qué hallazgos se listan</translation>
+   <translation>Mostrar los hallazgos de todas las imágenes revisadas, errores primero, o los de esta imagen</translation>
   </message>
   <message>
    <source>Frames checked</source>
@@ -4775,11 +4742,6 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    <translation>Hallazgos</translation>
   </message>
   <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Esta imagen</translation>
-  </message>
-  <message>
    <source>Whole set</source>
    <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Todo el conjunto</translation>
@@ -4836,41 +4798,6 @@ Abra una carpeta de imágenes para revisar sus clases.</translation>
    <source>Largest distance of its points to the fitted element, px of the picture</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>Mayor distancia de sus puntos al elemento ajustado, px de la imagen</translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>elegido automáticamente</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>H: homografía del suelo</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>P: estenopeica</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R: estenopeica, distorsión de lente</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R+: R, relación de aspecto, punto principal</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R2: R+, segundo coeficiente radial</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>F: ojo de pez</translation>
   </message>
   <message>
    <source>{model}. Chosen: {why}</source>
@@ -5503,6 +5430,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Aún pocos puntos: cinco en una parte de la imagen hacen una flecha.</translation>
   </message>
   <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Esta imagen</translation>
+  </message>
+  <message>
    <source>Copy or save the plot and its numbers</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Copiar o guardar el gráfico y sus números</translation>
@@ -5521,11 +5453,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>All elements</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Todos los elementos</translation>
-  </message>
-  <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Guardar</translation>
   </message>
   <message>
    <source>Plot</source>
@@ -5588,6 +5515,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>(sin puntuación)</translation>
   </message>
   <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Guardar</translation>
+  </message>
+  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Entregada en modo ciego, y como estaba entonces.</translation>
@@ -5606,11 +5538,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Cómo surgieron los puntos de esta imagen</translation>
-  </message>
-  <message>
-   <source>Comment on this frame</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Comentario sobre esta imagen</translation>
   </message>
   <message>
    <source>Add the comment to the thread (Enter)</source>
@@ -5648,6 +5575,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>No hay comentarios sobre esta imagen.</translation>
   </message>
   <message>
+   <source>Comment on this place</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Comentario sobre este lugar</translation>
+  </message>
+  <message>
    <source>{frame} is {status}</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>{frame} está {status}</translation>
@@ -5679,6 +5611,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
     <numerusform>por confirmar (Mayús+V): {n:,} elemento</numerusform>
     <numerusform>por confirmar (Mayús+V): {n:,} elementos</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Comment on this frame</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Comentario sobre esta imagen</translation>
   </message>
   <message>
    <source>Ticked: settled</source>
@@ -6259,6 +6196,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>no hay nada abierto</translation>
   </message>
   <message>
+   <source>unfinished elements were kept: {titles}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>se conservan elementos sin terminar: {titles}</translation>
+  </message>
+  <message>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>el campo de este conjunto: {field}</translation>
@@ -6269,9 +6211,54 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>el filtro no muestra más imágenes en este sentido</translation>
   </message>
   <message>
+   <source>you rejected it (Ctrl+Z takes that back)</source>
+   <extracomment>[procc_annotator/gui/state/prediction/camera_choice.py]</extracomment>
+   <translation>usted la rechazó (Ctrl+Z lo deshace)</translation>
+  </message>
+  <message>
+   <source>draw 3 elements, two of which meet, such as {names}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>dibuje 3 elementos, dos de ellos que se crucen, como {names}</translation>
+  </message>
+  <message>
    <source>{title}: its line could not be looked for: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
    <translation>{title}: no se pudo buscar su línea: {why}</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>elegido automáticamente</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>H: homografía del suelo</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>P: estenopeica</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R: estenopeica, distorsión de lente</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R+: R, relación de aspecto, punto principal</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R2: R+, segundo coeficiente radial</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>F: ojo de pez</translation>
   </message>
   <message>
    <source>the fit failed: {why}</source>
@@ -6465,11 +6452,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>Live fit: model {model}</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Ajuste continuo: modelo {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Ajustar este modelo a los clics; auto toma el más sencillo que permiten</translation>
   </message>
   <message>
    <source>Panel {title}</source>
@@ -6895,11 +6877,6 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Estado de esta imagen (panel Revisión)</translation>
   </message>
   <message>
-   <source>JaC – {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>JaC – {why}</translation>
-  </message>
-  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Con qué se calcula la puntuación: {terms}</translation>
@@ -6948,9 +6925,74 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>ciego: por entregar</translation>
   </message>
   <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>sin cambios</translation>
+   <source>{n} of {total}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>{n} de {total}</translation>
+  </message>
+  <message>
+   <source>The camera is found without a click; dashed: what it expects. Shift+Enter accepts that</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>La cámara se halla sin un clic; a trazos: lo que espera. Mayús+Intro lo acepta</translation>
+  </message>
+  <message>
+   <source>W switches to editing: drag a point off its line</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>W pasa a editar: arrastre un punto fuera de su línea</translation>
+  </message>
+  <message>
+   <source>The tab Check lists possible mistakes: open it. F12 applies the first remedy</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>La pestaña «Comprobación» muestra posibles errores: ábrala. F12 aplica el primer remedio</translation>
+  </message>
+  <message>
+   <source>Ctrl+Enter: this frame is done</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Ctrl+Intro: esta imagen está terminada</translation>
+  </message>
+  <message>
+   <source>Ctrl+Shift+D: a frame without annotation. W, and draw a line: click its ends, press Enter, choose its name</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Ctrl+Mayús+D: una imagen sin anotación. W, y dibuje una línea: clic en sus extremos, Intro, elija su nombre</translation>
+  </message>
+  <message>
+   <source>Judge, at the top right (Shift+F2), then C: the fitted camera, judged by your annotation</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>«Juzgar», arriba a la derecha (Mayús+F2), luego C: la cámara ajustada, juzgada con su anotación</translation>
+  </message>
+  <message>
+   <source>File &gt; Export as… writes the annotations for other programs: look at it</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Archivo &gt; Exportar como… escribe las anotaciones para otros programas: véalo</translation>
+  </message>
+  <message>
+   <source>That was the tour. Shift+F1: back to annotating; F1: all keys</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Fin del recorrido. Mayús+F1: volver a anotar; F1: todas las teclas</translation>
+  </message>
+  <message>
+   <source>Go on to the next step</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Pasar al paso siguiente</translation>
+  </message>
+  <message>
+   <source>Esc ends the tour, too</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Esc también termina el recorrido</translation>
+  </message>
+  <message>
+   <source>Skip</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Omitir</translation>
+  </message>
+  <message>
+   <source>End</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Terminar</translation>
+  </message>
+  <message>
+   <source>the sample cannot be copied: {why}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>no se puede copiar el ejemplo: {why}</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -6986,6 +7028,11 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <source>Try the sample</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Probar el ejemplo</translation>
+  </message>
+  <message>
+   <source>Tour (60 seconds)</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action tour]</extracomment>
+   <translation>Recorrido (60 segundos)</translation>
   </message>
   <message>
    <source>Go on with</source>
@@ -8050,6 +8097,11 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Volver a la imagen anterior que no está terminada ni aprobada</translation>
   </message>
   <message>
+   <source>Go to</source>
+   <extracomment>[the menus]</extracomment>
+   <translation>Ir a</translation>
+  </message>
+  <message>
    <source>Next rejected</source>
    <extracomment>[the action next_rejected]</extracomment>
    <translation>Siguiente rechazada</translation>
@@ -8235,9 +8287,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Siguiente imagen anotada</translation>
   </message>
   <message>
-   <source>Go on to the next frame of the shot that is annotated</source>
+   <source>Go on to the next frame that is annotated</source>
    <extracomment>[the action next_anchor]</extracomment>
-   <translation>Ir a la próxima imagen anotada del plano</translation>
+   <translation>Ir a la próxima imagen anotada</translation>
   </message>
   <message>
    <source>Previous annotated frame</source>
@@ -8348,6 +8400,16 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <source>Write to the thread of this frame</source>
    <extracomment>[the action comment]</extracomment>
    <translation>Escribir en el hilo de esta imagen</translation>
+  </message>
+  <message>
+   <source>Comment on this place…</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>Comentar este lugar…</translation>
+  </message>
+  <message>
+   <source>Write a comment on the place at the cursor; a numbered pin marks it in the picture</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>Escribir un comentario sobre el lugar del cursor; una chincheta numerada lo marca en la imagen</translation>
   </message>
   <message>
    <source>Earlier versions…</source>
@@ -8495,9 +8557,9 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>Terminar el elemento sin pasar al siguiente</translation>
   </message>
   <message>
-   <source>Take back last point</source>
+   <source>Remove the last point</source>
    <extracomment>[the action back]</extracomment>
-   <translation>Retirar el último punto</translation>
+   <translation>Quitar el último punto</translation>
   </message>
   <message>
    <source>Remove the point clicked last</source>
@@ -8648,6 +8710,11 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <source>Make the ghost an element: points on its painted line, none where that is hidden (Enter)</source>
    <extracomment>[the action accept_ghost]</extracomment>
    <translation>Hacer del fantasma un elemento: puntos sobre su línea pintada, ninguno donde está oculta (Intro)</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[the action accept_ghosts]</extracomment>
+   <translation>Aceptar todos los fantasmas</translation>
   </message>
   <message>
    <source>Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing is being drawn)</source>
@@ -9235,6 +9302,11 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <translation>La paleta de órdenes: toda acción, elemento, imagen, fuente de cámaras y carpeta reciente, con unas letras de su nombre</translation>
   </message>
   <message>
+   <source>Draw, accept, check, judge and export, step by step, on a copy of the sample</source>
+   <extracomment>[the action tour]</extracomment>
+   <translation>Dibujar, aceptar, revisar, juzgar y exportar, paso a paso, en una copia del ejemplo</translation>
+  </message>
+  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>Mostrar todas las acciones y sus teclas en una hoja</translation>
@@ -9368,41 +9440,6 @@ Brillo, contraste, gamma, realce de líneas: solo cambia lo que usted ve</transl
    <source>The camera that is fitted to the clicks; auto: the simplest that they support</source>
    <extracomment>[the setting fit_model]</extracomment>
    <translation>La cámara que se ajusta a los clics; auto: la más sencilla que permiten</translation>
-  </message>
-  <message>
-   <source>auto</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>auto</translation>
-  </message>
-  <message>
-   <source>H</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>H</translation>
-  </message>
-  <message>
-   <source>P</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>P</translation>
-  </message>
-  <message>
-   <source>R</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R</translation>
-  </message>
-  <message>
-   <source>R+</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R+</translation>
-  </message>
-  <message>
-   <source>R2</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R2</translation>
-  </message>
-  <message>
-   <source>F</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>F</translation>
   </message>
   <message>
    <source>Judge the fit</source>

@@ -516,9 +516,9 @@
    <translation>{lines:.0f} % des lignes attendues trouvées, {paint:.0f} % de la peinture visible expliquée</translation>
   </message>
   <message>
-   <source>is this {field}, and no other sport? {why}</source>
+   <source>is this {field}? {why}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>est-ce bien {field}, et pas un autre sport ? {why}</translation>
+   <translation>est-ce bien {field} ? {why}</translation>
   </message>
   <message>
    <source>no camera fits the lines (best: {shares})</source>
@@ -798,7 +798,7 @@
   </message>
   <message>
    <source>saved</source>
-   <extracomment>[procc_annotator/dataset/saving.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>enregistré</translation>
   </message>
   <message>
@@ -1127,6 +1127,11 @@
    <translation>Caméra glissée, {pegs}, précisée sur la peinture : {share:.0%} de ses lignes</translation>
   </message>
   <message>
+   <source>Camera found, unsure: {why}. Shift+Enter accepts, Delete rejects it</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>Caméra trouvée, incertaine : {why}. Maj+Entrée l’accepte, Suppr la rejette</translation>
+  </message>
+  <message>
    <source>Camera dragged, {pegs}, not made exact: {why}</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>Caméra glissée, {pegs}, non précisée : {why}</translation>
@@ -1140,11 +1145,6 @@
    <source>Divider of the split view</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>Séparation de la vue partagée</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>Caméra trouvée, incertaine : {why}</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}</source>
@@ -1162,9 +1162,9 @@
    <translation>Recherche de la caméra dans l’image …</translation>
   </message>
   <message>
-   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
+   <source>No camera found: {why}. To begin, {advice} (Enter takes the first). Another sport? Click here</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>Aucune caméra trouvée : {why}. Dessinez d’abord 3 éléments, dont deux qui se rejoignent</translation>
+   <translation>Aucune caméra trouvée : {why}. Pour commencer, {advice} (Entrée prend le premier). Un autre sport ? Cliquez ici</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1277,7 +1277,7 @@
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>aucune image avant celle-ci n’est annotée</translation>
   </message>
   <message>
@@ -2048,19 +2048,9 @@ Perd {loses}.</translation>
    <translation>Aveugle : le jeu est regardé dès qu’une de ses images est remise (Ctrl+Entrée).</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
+   <source>no further frame this way: {what}</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>aucune image après celle-ci n’est annotée</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>aucune image après celle-ci n’est douteuse</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>aucune image avant celle-ci n’est douteuse</translation>
+   <translation>plus d’image dans ce sens : {what}</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: JaC {value:.3f}</source>
@@ -2083,9 +2073,29 @@ Perd {loses}.</translation>
    <translation>{place} sur {total}, les moins sûres d’abord</translation>
   </message>
   <message>
-   <source>no other frame is rejected</source>
+   <source>none is annotated</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>aucune autre image n’est rejetée</translation>
+   <translation>aucune n’est annotée</translation>
+  </message>
+  <message>
+   <source>all are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>toutes sont annotées</translation>
+  </message>
+  <message>
+   <source>all are done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>toutes sont terminées ou approuvées</translation>
+  </message>
+  <message>
+   <source>none is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucune n’est rejetée</translation>
+  </message>
+  <message>
+   <source>this is the last one</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>c’est la dernière</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2121,26 +2131,6 @@ Perd {loses}.</translation>
    <source>these frames do not follow one another</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>ces images ne se suivent pas</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>toutes les images après celle-ci sont annotées</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>toutes les images avant celle-ci sont annotées</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>toutes les images après celle-ci sont terminées ou approuvées</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>toutes les images avant celle-ci sont terminées ou approuvées</translation>
   </message>
   <message>
    <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
@@ -2181,6 +2171,11 @@ Perd {loses}.</translation>
    <source>{source} and {other} are compared</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>{source} et {other} sont comparées</translation>
+  </message>
+  <message>
+   <source>none is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>aucune n’est douteuse</translation>
   </message>
   <message>
    <source>skipped (under {least:.0%} visible): {ghosts}</source>
@@ -2236,14 +2231,6 @@ Perd {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>{what} accepté</translation>
   </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} bout ne se voit pas : les points s’arrêtent avant</numerusform>
-    <numerusform>{n} bouts ne se voient pas : les points s’arrêtent avant</numerusform>
-   </translation>
-  </message>
   <message>
    <source>the frame was edited meanwhile</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
@@ -2258,16 +2245,6 @@ Perd {loses}.</translation>
    <source>{element} is not accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>{element} n’est pas accepté : {why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>Accepter tous les fantômes</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>Quelle part de la ligne d’un fantôme doit se voir pour l’accepter avec tous les autres (%) :</translation>
   </message>
   <message>
    <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
@@ -2330,25 +2307,22 @@ Perd {loses}.</translation>
    <translation>allez d’abord à un fantôme (Tab) ou choisissez un élément</translation>
   </message>
   <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <source>{n} ghosts left, Tab begins again</source>
+   <extracomment>{n} ghost left, Tab begins again / {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>
-    <numerusform>c’était le premier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
-    <numerusform>c’était le premier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
+    <numerusform>il reste {n} fantôme, Tab recommence</numerusform>
+    <numerusform>il reste {n} fantômes, Tab recommence</numerusform>
    </translation>
   </message>
   <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <source>that was the last ghost</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments, ou suivez le plan (T)</translation>
+   <translation>c’était le dernier fantôme</translation>
   </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>c’était le dernier fantôme ; il reste {n} fantôme, Tab recommence</numerusform>
-    <numerusform>c’était le dernier fantôme ; il reste {n} fantômes, Tab recommence</numerusform>
-   </translation>
+  <message>
+   <source>that was the first ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>c’était le premier fantôme</translation>
   </message>
   <message>
    <source>the camera is being fitted: ghosts come in a moment</source>
@@ -2361,6 +2335,11 @@ Perd {loses}.</translation>
    <translation>pas de fantômes : la caméra est recherchée dans l’image</translation>
   </message>
   <message>
+   <source>no ghosts: no camera is known; {advice}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>pas de fantômes : aucune caméra connue ; {advice}</translation>
+  </message>
+  <message>
    <source>no ghosts: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>pas de fantômes : {why}</translation>
@@ -2369,16 +2348,6 @@ Perd {loses}.</translation>
    <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>pas de fantômes : le reste en vue est annoté, ou pas assez bien connu</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>pas de fantômes : annotez trois ou quatre éléments, une caméra en découle</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>aucune caméra trouvée dans cette image : dessinez trois ou quatre éléments</translation>
   </message>
   <message>
    <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
@@ -2429,11 +2398,6 @@ Perd {loses}.</translation>
    <source>no element of this frame was said to be not visible</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>aucun élément de cette image n’a été dit non visible</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>c’était le dernier fantôme</translation>
   </message>
   <message>
    <source>go to a ghost first (Tab)</source>
@@ -2746,7 +2710,7 @@ Perd {loses}.</translation>
   </message>
   <message>
    <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/tour.py]</extracomment>
    <translation>l’exemple vient avec le code source, pas ici</translation>
   </message>
   <message>
@@ -3059,15 +3023,18 @@ Perd {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>aucune image acceptée : {why}</translation>
   </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>accepter le suivi</translation>
+  <message numerus="yes">
+   <source>annotate {n:,} frames</source>
+   <extracomment>annotate {n:,} frame / annotate {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>annoter {n:,} image</numerusform>
+    <numerusform>annoter {n:,} images</numerusform>
+   </translation>
   </message>
   <message>
-   <source>take back the track</source>
+   <source>take back accepted elements</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>revenir sur le suivi</translation>
+   <translation>revenir sur les éléments acceptés</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3106,9 +3073,9 @@ Perd {loses}.</translation>
    <translation>la caméra de cette image n’est pas sûre : une caméra sûre est cherchée dans le plan ; regardez celle-ci, acceptez ses lignes (Maj+Entrée), puis T les suit</translation>
   </message>
   <message>
-   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter), or {advice}; then T follows it</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>aucune image du plan n’a de caméra sûre : acceptez les lignes de l’une d’elles (Maj+Entrée) ou annotez-la, puis T la suit</translation>
+   <translation>aucune image du plan n’a de caméra sûre : acceptez les lignes de l’une d’elles (Maj+Entrée), ou {advice} ; ensuite T la suit</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -3389,6 +3356,11 @@ Perd {loses}.</translation>
    </translation>
   </message>
   <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>Ce nom ne suit pas le motif : l’image reste seule</translation>
+  </message>
+  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} groupe désormais {sizes}</translation>
@@ -3408,11 +3380,6 @@ Perd {loses}.</translation>
     <numerusform>{n:,} nom ne convient pas (à la fin de la table)</numerusform>
     <numerusform>{n:,} noms ne conviennent pas (à la fin de la table)</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>Ce nom ne suit pas le motif : l’image reste seule</translation>
   </message>
   <message>
    <source>Group views</source>
@@ -4202,9 +4169,9 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
    <translation>{model} (sol)</translation>
   </message>
   <message>
-   <source>{model} here, several models</source>
+   <source>{model} here</source>
    <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
-   <translation>{model} ici, plusieurs modèles</translation>
+   <translation>{model} ici</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
@@ -4215,11 +4182,11 @@ procc-annotator track suit toute une vidéo et écrit ses caméras</translation>
    </translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <source>{n:,} opened frames</source>
+   <extracomment>{n:,} opened frame / {n:,} opened frames [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
-    <numerusform>{n:,} image ajustée</numerusform>
-    <numerusform>{n:,} images ajustées</numerusform>
+    <numerusform>{n:,} image ouverte</numerusform>
+    <numerusform>{n:,} images ouvertes</numerusform>
    </translation>
   </message>
   <message>
@@ -4708,9 +4675,9 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    </translation>
   </message>
   <message>
-   <source>Which findings are listed</source>
+   <source>List the findings of all checked frames, errors first, or of this frame</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>Quels constats sont listés</translation>
+   <translation>Lister les constats de toutes les images vérifiées, erreurs d’abord, ou ceux de cette image</translation>
   </message>
   <message>
    <source>Frames checked</source>
@@ -4775,11 +4742,6 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    <translation>Constats</translation>
   </message>
   <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Cette image</translation>
-  </message>
-  <message>
    <source>Whole set</source>
    <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Tout le jeu</translation>
@@ -4836,41 +4798,6 @@ Ouvrez un dossier d’images pour en vérifier les classes.</translation>
    <source>Largest distance of its points to the fitted element, px of the picture</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>Plus grande distance de ses points à l’élément ajusté, px de l’image</translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>choisi automatiquement</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>H : homographie du sol</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>P : sténopé</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R : sténopé, distorsion de l’objectif</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R+ : R, rapport d’aspect, point principal</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R2 : R+, second coefficient radial</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>F : fisheye</translation>
   </message>
   <message>
    <source>{model}. Chosen: {why}</source>
@@ -5503,6 +5430,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Trop peu de points pour l’instant : cinq dans une partie de l’image font une flèche.</translation>
   </message>
   <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Cette image</translation>
+  </message>
+  <message>
    <source>Copy or save the plot and its numbers</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Copier ou enregistrer le graphique et ses nombres</translation>
@@ -5521,11 +5453,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>All elements</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>Tous les éléments</translation>
-  </message>
-  <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>Garder</translation>
   </message>
   <message>
    <source>Plot</source>
@@ -5588,6 +5515,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>(sans score)</translation>
   </message>
   <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>Garder</translation>
+  </message>
+  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Remise en mode aveugle, et restée telle quelle.</translation>
@@ -5606,11 +5538,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Comment les points de cette image sont nés</translation>
-  </message>
-  <message>
-   <source>Comment on this frame</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>Commentaire sur cette image</translation>
   </message>
   <message>
    <source>Add the comment to the thread (Enter)</source>
@@ -5648,6 +5575,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Aucun commentaire sur cette image.</translation>
   </message>
   <message>
+   <source>Comment on this place</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Commentaire sur cet endroit</translation>
+  </message>
+  <message>
    <source>{frame} is {status}</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>{frame} est {status}</translation>
@@ -5679,6 +5611,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
     <numerusform>à confirmer (Maj+V) : {n:,} élément</numerusform>
     <numerusform>à confirmer (Maj+V) : {n:,} éléments</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Comment on this frame</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>Commentaire sur cette image</translation>
   </message>
   <message>
    <source>Ticked: settled</source>
@@ -6259,6 +6196,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>rien n’est ouvert</translation>
   </message>
   <message>
+   <source>unfinished elements were kept: {titles}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>des éléments inachevés sont conservés : {titles}</translation>
+  </message>
+  <message>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>le terrain de ce jeu : {field}</translation>
@@ -6269,9 +6211,54 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>le filtre ne montre plus d’image dans ce sens</translation>
   </message>
   <message>
+   <source>you rejected it (Ctrl+Z takes that back)</source>
+   <extracomment>[procc_annotator/gui/state/prediction/camera_choice.py]</extracomment>
+   <translation>vous l’avez rejetée (Ctrl+Z annule cela)</translation>
+  </message>
+  <message>
+   <source>draw 3 elements, two of which meet, such as {names}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>dessinez 3 éléments, dont deux qui se rejoignent, comme {names}</translation>
+  </message>
+  <message>
    <source>{title}: its line could not be looked for: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
    <translation>{title} : sa ligne n’a pu être recherchée : {why}</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>choisi automatiquement</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>H : homographie du sol</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>P : sténopé</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R : sténopé, distorsion de l’objectif</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R+ : R, rapport d’aspect, point principal</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R2 : R+, second coefficient radial</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>F : fisheye</translation>
   </message>
   <message>
    <source>the fit failed: {why}</source>
@@ -6465,11 +6452,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>Live fit: model {model}</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>Ajustement continu : modèle {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>Ajuster ce modèle aux clics ; auto prend le plus simple qu’ils permettent</translation>
   </message>
   <message>
    <source>Panel {title}</source>
@@ -6895,11 +6877,6 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>État de cette image (panneau Relecture)</translation>
   </message>
   <message>
-   <source>JaC – {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>JaC – {why}</translation>
-  </message>
-  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>Avec quoi le score est calculé : {terms}</translation>
@@ -6948,9 +6925,74 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>aveugle : à remettre</translation>
   </message>
   <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>aucun changement</translation>
+   <source>{n} of {total}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>{n} sur {total}</translation>
+  </message>
+  <message>
+   <source>The camera is found without a click; dashed: what it expects. Shift+Enter accepts that</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>La caméra est trouvée sans un clic ; en tirets : ce qu’elle attend. Maj+Entrée l’accepte</translation>
+  </message>
+  <message>
+   <source>W switches to editing: drag a point off its line</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>W passe à l’édition : tirez un point hors de sa ligne</translation>
+  </message>
+  <message>
+   <source>The tab Check lists possible mistakes: open it. F12 applies the first remedy</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>L’onglet « Vérification » montre les erreurs possibles : ouvrez-le. F12 applique le premier remède</translation>
+  </message>
+  <message>
+   <source>Ctrl+Enter: this frame is done</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Ctrl+Entrée : cette image est terminée</translation>
+  </message>
+  <message>
+   <source>Ctrl+Shift+D: a frame without annotation. W, and draw a line: click its ends, press Enter, choose its name</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Ctrl+Maj+D : une image sans annotation. W, puis tracez une ligne : cliquez ses bouts, Entrée, choisissez son nom</translation>
+  </message>
+  <message>
+   <source>Judge, at the top right (Shift+F2), then C: the fitted camera, judged by your annotation</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>« Juger », en haut à droite (Maj+F2), puis C : la caméra ajustée, jugée d’après votre annotation</translation>
+  </message>
+  <message>
+   <source>File &gt; Export as… writes the annotations for other programs: look at it</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Fichier &gt; Exporter sous… écrit les annotations pour d’autres logiciels : regardez</translation>
+  </message>
+  <message>
+   <source>That was the tour. Shift+F1: back to annotating; F1: all keys</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>La visite est finie. Maj+F1 : revenir à l’annotation ; F1 : toutes les touches</translation>
+  </message>
+  <message>
+   <source>Go on to the next step</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Passer à l’étape suivante</translation>
+  </message>
+  <message>
+   <source>Esc ends the tour, too</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Échap termine aussi la visite</translation>
+  </message>
+  <message>
+   <source>Skip</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Passer</translation>
+  </message>
+  <message>
+   <source>End</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Terminer</translation>
+  </message>
+  <message>
+   <source>the sample cannot be copied: {why}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>l’exemple ne peut être copié : {why}</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -6986,6 +7028,11 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <source>Try the sample</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>Essayer l’exemple</translation>
+  </message>
+  <message>
+   <source>Tour (60 seconds)</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action tour]</extracomment>
+   <translation>Visite (60 secondes)</translation>
   </message>
   <message>
    <source>Go on with</source>
@@ -8050,6 +8097,11 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Revenir à l’image précédente ni terminée ni approuvée</translation>
   </message>
   <message>
+   <source>Go to</source>
+   <extracomment>[the menus]</extracomment>
+   <translation>Aller à</translation>
+  </message>
+  <message>
    <source>Next rejected</source>
    <extracomment>[the action next_rejected]</extracomment>
    <translation>Suivante rejetée</translation>
@@ -8235,9 +8287,9 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Image annotée suivante</translation>
   </message>
   <message>
-   <source>Go on to the next frame of the shot that is annotated</source>
+   <source>Go on to the next frame that is annotated</source>
    <extracomment>[the action next_anchor]</extracomment>
-   <translation>Aller à la prochaine image annotée du plan</translation>
+   <translation>Aller à la prochaine image annotée</translation>
   </message>
   <message>
    <source>Previous annotated frame</source>
@@ -8348,6 +8400,16 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <source>Write to the thread of this frame</source>
    <extracomment>[the action comment]</extracomment>
    <translation>Écrire dans la discussion de cette image</translation>
+  </message>
+  <message>
+   <source>Comment on this place…</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>Commenter cet endroit…</translation>
+  </message>
+  <message>
+   <source>Write a comment on the place at the cursor; a numbered pin marks it in the picture</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>Écrire un commentaire sur l’endroit du curseur ; une épingle numérotée le marque dans l’image</translation>
   </message>
   <message>
    <source>Earlier versions…</source>
@@ -8495,7 +8557,7 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>Terminer l’élément sans passer au suivant</translation>
   </message>
   <message>
-   <source>Take back last point</source>
+   <source>Remove the last point</source>
    <extracomment>[the action back]</extracomment>
    <translation>Retirer le dernier point</translation>
   </message>
@@ -8648,6 +8710,11 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <source>Make the ghost an element: points on its painted line, none where that is hidden (Enter)</source>
    <extracomment>[the action accept_ghost]</extracomment>
    <translation>Faire du fantôme un élément : des points sur sa ligne peinte, aucun là où elle est cachée (Entrée)</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[the action accept_ghosts]</extracomment>
+   <translation>Accepter tous les fantômes</translation>
   </message>
   <message>
    <source>Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing is being drawn)</source>
@@ -9235,6 +9302,11 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <translation>La palette de commandes : toute action, tout élément, image, source de caméras et dossier récent, par quelques lettres de son nom</translation>
   </message>
   <message>
+   <source>Draw, accept, check, judge and export, step by step, on a copy of the sample</source>
+   <extracomment>[the action tour]</extracomment>
+   <translation>Dessiner, accepter, vérifier, juger et exporter, pas à pas, sur une copie de l’exemple</translation>
+  </message>
+  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>Montrer toutes les actions et leurs touches sur une feuille</translation>
@@ -9368,41 +9440,6 @@ Luminosité, contraste, gamma, rehaussement des lignes : seul ce que vous voyez
    <source>The camera that is fitted to the clicks; auto: the simplest that they support</source>
    <extracomment>[the setting fit_model]</extracomment>
    <translation>La caméra ajustée aux clics ; auto : la plus simple qu’ils permettent</translation>
-  </message>
-  <message>
-   <source>auto</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>auto</translation>
-  </message>
-  <message>
-   <source>H</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>H</translation>
-  </message>
-  <message>
-   <source>P</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>P</translation>
-  </message>
-  <message>
-   <source>R</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R</translation>
-  </message>
-  <message>
-   <source>R+</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R+</translation>
-  </message>
-  <message>
-   <source>R2</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R2</translation>
-  </message>
-  <message>
-   <source>F</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>F</translation>
   </message>
   <message>
    <source>Judge the fit</source>

@@ -508,9 +508,9 @@
    <translation>あるはずの線の {lines:.0f} % を検出、見える塗りの {paint:.0f} % と一致</translation>
   </message>
   <message>
-   <source>is this {field}, and no other sport? {why}</source>
+   <source>is this {field}? {why}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>これは {field} で、ほかの競技ではありませんか？ {why}</translation>
+   <translation>これは {field} ですか？ {why}</translation>
   </message>
   <message>
    <source>no camera fits the lines (best: {shares})</source>
@@ -790,7 +790,7 @@
   </message>
   <message>
    <source>saved</source>
-   <extracomment>[procc_annotator/dataset/saving.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>保存済み</translation>
   </message>
   <message>
@@ -1114,6 +1114,11 @@
    <translation>カメラを移動、{pegs}、塗りに合わせて精密化：線の {share:.0%}</translation>
   </message>
   <message>
+   <source>Camera found, unsure: {why}. Shift+Enter accepts, Delete rejects it</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>カメラを検出、不確か：{why}。Shift+Enter で受け入れ、Delete で却下</translation>
+  </message>
+  <message>
    <source>Camera dragged, {pegs}, not made exact: {why}</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>カメラを移動、{pegs}、精密化できません：{why}</translation>
@@ -1127,11 +1132,6 @@
    <source>Divider of the split view</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>分割表示の仕切り</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>カメラを検出、不確か：{why}</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}</source>
@@ -1149,9 +1149,9 @@
    <translation>画像からカメラを探しています…</translation>
   </message>
   <message>
-   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
+   <source>No camera found: {why}. To begin, {advice} (Enter takes the first). Another sport? Click here</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>カメラが見つかりません：{why}。まず 3 つの要素を描いてください（うち 2 つは交わるもの）</translation>
+   <translation>カメラが見つかりません：{why}。まず{advice}（Enter で最初の要素を選択）。ほかの競技ならここをクリック</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1261,7 +1261,7 @@
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>これより前に注釈済みのフレームはありません</translation>
   </message>
   <message>
@@ -2013,19 +2013,9 @@ Loses {loses}.</source>
    <translation>ブラインド：1 フレームを提出するとセットを調べます（Ctrl+Enter）。</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
+   <source>no further frame this way: {what}</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>これより後に注釈済みのフレームはありません</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>これより後に疑わしいフレームはありません</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>これより前に疑わしいフレームはありません</translation>
+   <translation>この方向にはもうフレームがありません：{what}</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: JaC {value:.3f}</source>
@@ -2048,9 +2038,29 @@ Loses {loses}.</source>
    <translation>{total} 中 {place} 番目に不確か</translation>
   </message>
   <message>
-   <source>no other frame is rejected</source>
+   <source>none is annotated</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>ほかに差し戻しのフレームはありません</translation>
+   <translation>注釈済みはありません</translation>
+  </message>
+  <message>
+   <source>all are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>すべて注釈済みです</translation>
+  </message>
+  <message>
+   <source>all are done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>すべて完了または承認済みです</translation>
+  </message>
+  <message>
+   <source>none is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>差し戻しはありません</translation>
+  </message>
+  <message>
+   <source>this is the last one</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>これが最後です</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2086,26 +2096,6 @@ Loses {loses}.</source>
    <source>these frames do not follow one another</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>これらのフレームは連続していません</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>これより後のフレームはすべて注釈済みです</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>これより前のフレームはすべて注釈済みです</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>これより後のフレームはすべて完了または承認済みです</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>これより前のフレームはすべて完了または承認済みです</translation>
   </message>
   <message>
    <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
@@ -2146,6 +2136,11 @@ Loses {loses}.</source>
    <source>{source} and {other} are compared</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>{source} と {other} を比較しました</translation>
+  </message>
+  <message>
+   <source>none is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>疑わしいものはありません</translation>
   </message>
   <message>
    <source>skipped (under {least:.0%} visible): {ghosts}</source>
@@ -2198,13 +2193,6 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>{what}を採用しました</translation>
   </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n} 端は見えません：点は手前で止まります</numerusform>
-   </translation>
-  </message>
   <message>
    <source>the frame was edited meanwhile</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
@@ -2219,16 +2207,6 @@ Loses {loses}.</source>
    <source>{element} is not accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>{element} は採用されません：{why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>すべてのゴーストを採用</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>ほかのすべてと一緒に採用するには、ゴーストの線がどれだけ見える必要があるか（%）：</translation>
   </message>
   <message>
    <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
@@ -2291,23 +2269,21 @@ Loses {loses}.</source>
    <translation>まずゴーストへ移るか（Tab）、要素を選んでください</translation>
   </message>
   <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <source>{n} ghosts left, Tab begins again</source>
+   <extracomment>{n} ghost left, Tab begins again / {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>
-    <numerusform>最初のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
+    <numerusform>残り {n} 個、Tab で最初から</numerusform>
    </translation>
   </message>
   <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <source>that was the last ghost</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描くか、ショットを追跡してください（T）</translation>
+   <translation>最後のゴーストでした</translation>
   </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>最後のゴーストでした。残り {n} 個、Tab で最初から</numerusform>
-   </translation>
+  <message>
+   <source>that was the first ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>最初のゴーストでした</translation>
   </message>
   <message>
    <source>the camera is being fitted: ghosts come in a moment</source>
@@ -2320,6 +2296,11 @@ Loses {loses}.</source>
    <translation>ゴーストなし：画像からカメラを探しています</translation>
   </message>
   <message>
+   <source>no ghosts: no camera is known; {advice}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>ゴーストなし：カメラが不明です。{advice}</translation>
+  </message>
+  <message>
    <source>no ghosts: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>ゴーストなし：{why}</translation>
@@ -2328,16 +2309,6 @@ Loses {loses}.</source>
    <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>ゴーストなし：ほかに見えるものは注釈済みか、十分に確かではありません</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>ゴーストなし：要素を 3～4 個注釈するとカメラが求まります</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>この画像からカメラが見つかりませんでした。要素を 3～4 個描いてください</translation>
   </message>
   <message>
    <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
@@ -2388,11 +2359,6 @@ Loses {loses}.</source>
    <source>no element of this frame was said to be not visible</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>このフレームで見えないとされた要素はありません</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>最後のゴーストでした</translation>
   </message>
   <message>
    <source>go to a ghost first (Tab)</source>
@@ -2695,7 +2661,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/tour.py]</extracomment>
    <translation>サンプルはソースに付属しており、ここにはありません</translation>
   </message>
   <message>
@@ -3003,15 +2969,17 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>採用したフレームはありません：{why}</translation>
   </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>追跡を採用</translation>
+  <message numerus="yes">
+   <source>annotate {n:,} frames</source>
+   <extracomment>annotate {n:,} frame / annotate {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>{n:,} フレームを注釈</numerusform>
+   </translation>
   </message>
   <message>
-   <source>take back the track</source>
+   <source>take back accepted elements</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>追跡を取り消す</translation>
+   <translation>受け入れた要素を取り消す</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3048,9 +3016,9 @@ Loses {loses}.</source>
    <translation>このフレームのカメラは不確かです。ショット内で確かなカメラを探しています。このカメラを確認して線を受け入れると（Shift+Enter）、T で追跡します</translation>
   </message>
   <message>
-   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter), or {advice}; then T follows it</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>ショットに確かなカメラのフレームがありません。1 フレームの線を受け入れる（Shift+Enter）か注釈すると、T で追跡します</translation>
+   <translation>ショットに確かなカメラのフレームがありません。1 フレームの線を受け入れるか（Shift+Enter）、{advice}。その後 T で追跡します</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -3324,6 +3292,11 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>この名前はパターンに合わないため、フレームは単独です</translation>
+  </message>
+  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>以後 {file} が{sizes}をまとめます</translation>
@@ -3341,11 +3314,6 @@ Loses {loses}.</source>
    <translation>
     <numerusform>合わない名前 {n:,}（表の末尾）</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>この名前はパターンに合わないため、フレームは単独です</translation>
   </message>
   <message>
    <source>Group views</source>
@@ -4124,9 +4092,9 @@ procc-annotator track は動画全体を追跡してカメラを書き出しま�
    <translation>{model}（地面）</translation>
   </message>
   <message>
-   <source>{model} here, several models</source>
+   <source>{model} here</source>
    <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
-   <translation>ここでは {model}、複数のモデル</translation>
+   <translation>ここでは {model}</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
@@ -4136,10 +4104,10 @@ procc-annotator track は動画全体を追跡してカメラを書き出しま�
    </translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <source>{n:,} opened frames</source>
+   <extracomment>{n:,} opened frame / {n:,} opened frames [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
-    <numerusform>{n:,} フレームを当てはめ</numerusform>
+    <numerusform>開いた {n:,} フレーム</numerusform>
    </translation>
   </message>
   <message>
@@ -4622,9 +4590,9 @@ Open a folder of pictures to check their labels.</source>
    </translation>
   </message>
   <message>
-   <source>Which findings are listed</source>
+   <source>List the findings of all checked frames, errors first, or of this frame</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>一覧に示す指摘</translation>
+   <translation>検査した全フレームの指摘（エラーが先）、またはこのフレームの指摘を表示します</translation>
   </message>
   <message>
    <source>Frames checked</source>
@@ -4685,11 +4653,6 @@ Open a folder of pictures to check their labels.</source>
    <translation>指摘</translation>
   </message>
   <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>このフレーム</translation>
-  </message>
-  <message>
    <source>Whole set</source>
    <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>セット全体</translation>
@@ -4745,41 +4708,6 @@ Open a folder of pictures to check their labels.</source>
    <source>Largest distance of its points to the fitted element, px of the picture</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>当てはめた要素までの点の最大距離、画像の px</translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>自動で選択</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>H：地面のホモグラフィ</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>P：ピンホール</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R：ピンホール、レンズ歪み</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R+：R、アスペクト比、主点</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R2：R+、2 次の放射歪み係数</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>F：魚眼</translation>
   </message>
   <message>
    <source>{model}. Chosen: {why}</source>
@@ -5405,6 +5333,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>点がまだ足りません：画像の 1 区画に 5 点で矢印になります。</translation>
   </message>
   <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>このフレーム</translation>
+  </message>
+  <message>
    <source>Copy or save the plot and its numbers</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>グラフとその数値をコピーまたは保存します</translation>
@@ -5423,11 +5356,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>All elements</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>すべての要素</translation>
-  </message>
-  <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>保存</translation>
   </message>
   <message>
    <source>Plot</source>
@@ -5490,6 +5418,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>（スコアなし）</translation>
   </message>
   <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>保存</translation>
+  </message>
+  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>ブラインドモードで提出され、そのままです。</translation>
@@ -5508,11 +5441,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>このフレームの点の由来</translation>
-  </message>
-  <message>
-   <source>Comment on this frame</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>このフレームへのコメント</translation>
   </message>
   <message>
    <source>Add the comment to the thread (Enter)</source>
@@ -5550,6 +5478,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>このフレームにコメントはありません。</translation>
   </message>
   <message>
+   <source>Comment on this place</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>この場所へのコメント</translation>
+  </message>
+  <message>
    <source>{frame} is {status}</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>{frame} は{status}です</translation>
@@ -5580,6 +5513,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>
     <numerusform>確定待ち（Shift+V）：要素 {n:,} 個</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Comment on this frame</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>このフレームへのコメント</translation>
   </message>
   <message>
    <source>Ticked: settled</source>
@@ -6160,6 +6098,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>何も開いていません</translation>
   </message>
   <message>
+   <source>unfinished elements were kept: {titles}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>描きかけの要素を保持しました：{titles}</translation>
+  </message>
+  <message>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>このデータセットのフィールド：{field}</translation>
@@ -6170,9 +6113,54 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>この方向にフィルターに合うフレームはもうありません</translation>
   </message>
   <message>
+   <source>you rejected it (Ctrl+Z takes that back)</source>
+   <extracomment>[procc_annotator/gui/state/prediction/camera_choice.py]</extracomment>
+   <translation>却下しました（Ctrl+Z で取り消し）</translation>
+  </message>
+  <message>
+   <source>draw 3 elements, two of which meet, such as {names}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>交わる 2 つを含む 3 つの要素を描いてください（例：{names}）</translation>
+  </message>
+  <message>
    <source>{title}: its line could not be looked for: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
    <translation>{title}：線を探せませんでした：{why}</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>自動で選択</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>H：地面のホモグラフィ</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>P：ピンホール</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R：ピンホール、レンズ歪み</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R+：R、アスペクト比、主点</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R2：R+、2 次の放射歪み係数</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>F：魚眼</translation>
   </message>
   <message>
    <source>the fit failed: {why}</source>
@@ -6365,11 +6353,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Live fit: model {model}</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>自動当てはめ：モデル {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>このモデルをクリックに当てはめます。auto はクリックが支える最も単純なもの</translation>
   </message>
   <message>
    <source>Panel {title}</source>
@@ -6795,11 +6778,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>このフレームの状態（レビューパネル）</translation>
   </message>
   <message>
-   <source>JaC – {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>JaC – {why}</translation>
-  </message>
-  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>スコアの計算条件：{terms}</translation>
@@ -6847,9 +6825,74 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>ブラインド：未提出</translation>
   </message>
   <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>変更なし</translation>
+   <source>{n} of {total}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>{n} / {total}</translation>
+  </message>
+  <message>
+   <source>The camera is found without a click; dashed: what it expects. Shift+Enter accepts that</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>カメラはクリックなしで見つかります。破線はその予測です。Shift+Enter で受け入れます</translation>
+  </message>
+  <message>
+   <source>W switches to editing: drag a point off its line</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>W で編集に切り替わります：点を線からずらしてください</translation>
+  </message>
+  <message>
+   <source>The tab Check lists possible mistakes: open it. F12 applies the first remedy</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>「検査」タブに誤りの候補が出ます：開いてください。F12 で最初の対処を行います</translation>
+  </message>
+  <message>
+   <source>Ctrl+Enter: this frame is done</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Ctrl+Enter：このフレームは完了です</translation>
+  </message>
+  <message>
+   <source>Ctrl+Shift+D: a frame without annotation. W, and draw a line: click its ends, press Enter, choose its name</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Ctrl+Shift+D：注釈のないフレームへ。W で描画：線の両端をクリックし、Enter、名前を選びます</translation>
+  </message>
+  <message>
+   <source>Judge, at the top right (Shift+F2), then C: the fitted camera, judged by your annotation</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>右上の「評価」（Shift+F2）、次に C：当てはめたカメラを注釈と照らして評価します</translation>
+  </message>
+  <message>
+   <source>File &gt; Export as… writes the annotations for other programs: look at it</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>ファイル &gt; 形式を選んで書き出す… は注釈をほかのプログラム用に書き出します：開いてください</translation>
+  </message>
+  <message>
+   <source>That was the tour. Shift+F1: back to annotating; F1: all keys</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>ツアーは以上です。Shift+F1：注釈に戻る。F1：キー一覧</translation>
+  </message>
+  <message>
+   <source>Go on to the next step</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>次のステップへ進みます</translation>
+  </message>
+  <message>
+   <source>Esc ends the tour, too</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Esc でもツアーを終えられます</translation>
+  </message>
+  <message>
+   <source>Skip</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>スキップ</translation>
+  </message>
+  <message>
+   <source>End</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>終了</translation>
+  </message>
+  <message>
+   <source>the sample cannot be copied: {why}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>サンプルをコピーできません：{why}</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -6885,6 +6928,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Try the sample</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>サンプルを試す</translation>
+  </message>
+  <message>
+   <source>Tour (60 seconds)</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action tour]</extracomment>
+   <translation>ツアー（60 秒）</translation>
   </message>
   <message>
    <source>Go on with</source>
@@ -7936,6 +7984,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>完了も承認もされていない前のフレームへ戻ります</translation>
   </message>
   <message>
+   <source>Go to</source>
+   <extracomment>[the menus]</extracomment>
+   <translation>移動</translation>
+  </message>
+  <message>
    <source>Next rejected</source>
    <extracomment>[the action next_rejected]</extracomment>
    <translation>次の差し戻し</translation>
@@ -8121,9 +8174,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>次の注釈済みフレーム</translation>
   </message>
   <message>
-   <source>Go on to the next frame of the shot that is annotated</source>
+   <source>Go on to the next frame that is annotated</source>
    <extracomment>[the action next_anchor]</extracomment>
-   <translation>ショット内の次の注釈済みフレームへ進みます</translation>
+   <translation>次の注釈済みフレームへ進みます</translation>
   </message>
   <message>
    <source>Previous annotated frame</source>
@@ -8234,6 +8287,16 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Write to the thread of this frame</source>
    <extracomment>[the action comment]</extracomment>
    <translation>このフレームのスレッドに書き込みます</translation>
+  </message>
+  <message>
+   <source>Comment on this place…</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>この場所にコメント…</translation>
+  </message>
+  <message>
+   <source>Write a comment on the place at the cursor; a numbered pin marks it in the picture</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>カーソルの場所にコメントを書きます。番号付きのピンが画像に表示されます</translation>
   </message>
   <message>
    <source>Earlier versions…</source>
@@ -8381,9 +8444,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>次へ進まずに要素を終えます</translation>
   </message>
   <message>
-   <source>Take back last point</source>
+   <source>Remove the last point</source>
    <extracomment>[the action back]</extracomment>
-   <translation>最後の点を取り消す</translation>
+   <translation>最後の点を取り除く</translation>
   </message>
   <message>
    <source>Remove the point clicked last</source>
@@ -8534,6 +8597,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Make the ghost an element: points on its painted line, none where that is hidden (Enter)</source>
    <extracomment>[the action accept_ghost]</extracomment>
    <translation>ゴーストを要素にします：塗られた線の上に点を置き、隠れた所には置きません（Enter）</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[the action accept_ghosts]</extracomment>
+   <translation>すべてのゴーストを採用</translation>
   </message>
   <message>
    <source>Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing is being drawn)</source>
@@ -9121,6 +9189,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>コマンドパレット：操作、要素、フレーム、カメラソース、最近のフォルダーを名前の数文字で呼び出します</translation>
   </message>
   <message>
+   <source>Draw, accept, check, judge and export, step by step, on a copy of the sample</source>
+   <extracomment>[the action tour]</extracomment>
+   <translation>描画、受け入れ、検査、評価、書き出しをサンプルの写しで順に試します</translation>
+  </message>
+  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>すべての操作とそのキーを一覧で示します</translation>
@@ -9254,41 +9327,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>The camera that is fitted to the clicks; auto: the simplest that they support</source>
    <extracomment>[the setting fit_model]</extracomment>
    <translation>クリックに当てはめるカメラ。auto：クリックが支える最も単純なもの</translation>
-  </message>
-  <message>
-   <source>auto</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>auto</translation>
-  </message>
-  <message>
-   <source>H</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>H</translation>
-  </message>
-  <message>
-   <source>P</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>P</translation>
-  </message>
-  <message>
-   <source>R</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R</translation>
-  </message>
-  <message>
-   <source>R+</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R+</translation>
-  </message>
-  <message>
-   <source>R2</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R2</translation>
-  </message>
-  <message>
-   <source>F</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>F</translation>
   </message>
   <message>
    <source>Judge the fit</source>

@@ -508,9 +508,9 @@
    <translation>找到 {lines:.0f} % 的应有线，吻合 {paint:.0f} % 的可见画线</translation>
   </message>
   <message>
-   <source>is this {field}, and no other sport? {why}</source>
+   <source>is this {field}? {why}</source>
    <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
-   <translation>这是 {field}，而不是其他运动吗？{why}</translation>
+   <translation>这是 {field} 吗？{why}</translation>
   </message>
   <message>
    <source>no camera fits the lines (best: {shares})</source>
@@ -790,7 +790,7 @@
   </message>
   <message>
    <source>saved</source>
-   <extracomment>[procc_annotator/dataset/saving.py]</extracomment>
+   <extracomment>[procc_annotator/dataset/saving.py, procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>已保存</translation>
   </message>
   <message>
@@ -1114,6 +1114,11 @@
    <translation>已拖动相机，{pegs}，已按画线精化：其线的 {share:.0%}</translation>
   </message>
   <message>
+   <source>Camera found, unsure: {why}. Shift+Enter accepts, Delete rejects it</source>
+   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
+   <translation>找到相机，存疑：{why}。Shift+Enter 接受，Delete 拒绝</translation>
+  </message>
+  <message>
    <source>Camera dragged, {pegs}, not made exact: {why}</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>已拖动相机，{pegs}，未精化：{why}</translation>
@@ -1127,11 +1132,6 @@
    <source>Divider of the split view</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
    <translation>分割视图的分隔线</translation>
-  </message>
-  <message>
-   <source>Camera found, unsure: {why}</source>
-   <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>找到相机，存疑：{why}</translation>
   </message>
   <message>
    <source>Camera dragged, {pegs}</source>
@@ -1149,9 +1149,9 @@
    <translation>正在图片中寻找相机 …</translation>
   </message>
   <message>
-   <source>No camera found: {why}. Draw 3 elements first, two of which meet</source>
+   <source>No camera found: {why}. To begin, {advice} (Enter takes the first). Another sport? Click here</source>
    <extracomment>[procc_annotator/gui/canvas/viewport_overlays.py]</extracomment>
-   <translation>未找到相机：{why}。请先绘制 3 个元素，其中两个相交</translation>
+   <translation>未找到相机：{why}。请先{advice}（Enter 选第一个）。其他运动？点击此处</translation>
   </message>
   <message>
    <source>Camera found, sure: {why}</source>
@@ -1261,7 +1261,7 @@
   </message>
   <message>
    <source>no frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/assistant.py, procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/assistant.py]</extracomment>
    <translation>本帧之前没有已标注的帧</translation>
   </message>
   <message>
@@ -2013,19 +2013,9 @@ Loses {loses}.</source>
    <translation>盲标：提交数据集的一帧后才会查看（Ctrl+回车）。</translation>
   </message>
   <message>
-   <source>no frame after this one is annotated</source>
+   <source>no further frame this way: {what}</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>本帧之后没有已标注的帧</translation>
-  </message>
-  <message>
-   <source>no frame after this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>本帧之后没有存疑的帧</translation>
-  </message>
-  <message>
-   <source>no frame before this one is doubtful</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>本帧之前没有存疑的帧</translation>
+   <translation>此方向没有更多的帧：{what}</translation>
   </message>
   <message>
    <source>{place} of {total}, worst first: JaC {value:.3f}</source>
@@ -2048,9 +2038,29 @@ Loses {loses}.</source>
    <translation>第 {place} / {total}，最不确定的在前</translation>
   </message>
   <message>
-   <source>no other frame is rejected</source>
+   <source>none is annotated</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>没有其他被退回的帧</translation>
+   <translation>没有已标注的</translation>
+  </message>
+  <message>
+   <source>all are annotated</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>全部已标注</translation>
+  </message>
+  <message>
+   <source>all are done or approved</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>全部已完成或批准</translation>
+  </message>
+  <message>
+   <source>none is rejected</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>没有被退回的</translation>
+  </message>
+  <message>
+   <source>this is the last one</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>这是最后一个</translation>
   </message>
   <message>
    <source>no frame with a score to go to</source>
@@ -2086,26 +2096,6 @@ Loses {loses}.</source>
    <source>these frames do not follow one another</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>这些帧并不连续</translation>
-  </message>
-  <message>
-   <source>every frame after this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>本帧之后的所有帧均已标注</translation>
-  </message>
-  <message>
-   <source>every frame before this one is annotated</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>本帧之前的所有帧均已标注</translation>
-  </message>
-  <message>
-   <source>every frame after this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>本帧之后的所有帧均已完成或批准</translation>
-  </message>
-  <message>
-   <source>every frame before this one is done or approved</source>
-   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
-   <translation>本帧之前的所有帧均已完成或批准</translation>
   </message>
   <message>
    <source>two sources are needed to see where they disagree: load more cameras (Ctrl+L)</source>
@@ -2146,6 +2136,11 @@ Loses {loses}.</source>
    <source>{source} and {other} are compared</source>
    <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
    <translation>{source} 和 {other} 已比较</translation>
+  </message>
+  <message>
+   <source>none is doubtful</source>
+   <extracomment>[procc_annotator/gui/commands/frame_walks.py]</extracomment>
+   <translation>没有存疑的</translation>
   </message>
   <message>
    <source>skipped (under {least:.0%} visible): {ghosts}</source>
@@ -2198,13 +2193,6 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>已接受 {what}</translation>
   </message>
-  <message numerus="yes">
-   <source>{n} ends cannot be seen: the points stop before</source>
-   <extracomment>{n} end cannot be seen: the points stop before / {n} ends cannot be seen: the points stop before [procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>
-    <numerusform>有 {n} 个端点不可见：点在此之前结束</numerusform>
-   </translation>
-  </message>
   <message>
    <source>the frame was edited meanwhile</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
@@ -2219,16 +2207,6 @@ Loses {loses}.</source>
    <source>{element} is not accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
    <translation>未接受 {element}：{why}</translation>
-  </message>
-  <message>
-   <source>Accept all ghosts</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py, the action accept_ghosts]</extracomment>
-   <translation>接受所有虚影</translation>
-  </message>
-  <message>
-   <source>How much of a ghost's line must be seen for it to be accepted with all others (%):</source>
-   <extracomment>[procc_annotator/gui/commands/ghost_accepting.py]</extracomment>
-   <translation>虚影的线要有多少可见，才能与其他所有一并接受（%）：</translation>
   </message>
   <message>
    <source>{element}: no painted line is found along it; click it by hand, or say that it is not visible here (.)</source>
@@ -2291,23 +2269,21 @@ Loses {loses}.</source>
    <translation>请先转到虚影（Tab）或选择元素</translation>
   </message>
   <message numerus="yes">
-   <source>that was the first ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the first ghost; {n} ghost left, Tab begins again / that was the first ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <source>{n} ghosts left, Tab begins again</source>
+   <extracomment>{n} ghost left, Tab begins again / {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>
-    <numerusform>那是第一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
+    <numerusform>剩余 {n} 个，按 Tab 重新开始</numerusform>
    </translation>
   </message>
   <message>
-   <source>no camera was found in this picture: draw three or four elements, or follow the shot (T)</source>
+   <source>that was the last ghost</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>在此图片中未找到相机：请绘制三四个元素，或跟踪镜头（T）</translation>
+   <translation>那是最后一个虚影</translation>
   </message>
-  <message numerus="yes">
-   <source>that was the last ghost; {n} ghosts left, Tab begins again</source>
-   <extracomment>that was the last ghost; {n} ghost left, Tab begins again / that was the last ghost; {n} ghosts left, Tab begins again [procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>
-    <numerusform>那是最后一个虚影；剩余 {n} 个，按 Tab 重新开始</numerusform>
-   </translation>
+  <message>
+   <source>that was the first ghost</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>那是第一个虚影</translation>
   </message>
   <message>
    <source>the camera is being fitted: ghosts come in a moment</source>
@@ -2320,6 +2296,11 @@ Loses {loses}.</source>
    <translation>没有虚影：正在图片中寻找相机</translation>
   </message>
   <message>
+   <source>no ghosts: no camera is known; {advice}</source>
+   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
+   <translation>没有虚影：相机未知；请{advice}</translation>
+  </message>
+  <message>
    <source>no ghosts: {why}</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>没有虚影：{why}</translation>
@@ -2328,16 +2309,6 @@ Loses {loses}.</source>
    <source>no ghosts: what else is in sight is annotated, or not known well enough</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>没有虚影：其余可见内容已标注，或还不够确定</translation>
-  </message>
-  <message>
-   <source>no ghosts: annotate three or four elements, a camera follows from them</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>没有虚影：标注三四个元素即可得出相机</translation>
-  </message>
-  <message>
-   <source>no camera was found in this picture: draw three or four elements</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>在此图片中未找到相机：请绘制三四个元素</translation>
   </message>
   <message>
    <source>no ghosts: they are switched off (Element &gt; Ghosts &gt; Show ghosts)</source>
@@ -2388,11 +2359,6 @@ Loses {loses}.</source>
    <source>no element of this frame was said to be not visible</source>
    <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
    <translation>本帧没有被标为不可见的元素</translation>
-  </message>
-  <message>
-   <source>that was the last ghost</source>
-   <extracomment>[procc_annotator/gui/commands/ghosts.py]</extracomment>
-   <translation>那是最后一个虚影</translation>
   </message>
   <message>
    <source>go to a ghost first (Tab)</source>
@@ -2695,7 +2661,7 @@ Loses {loses}.</source>
   </message>
   <message>
    <source>the sample comes with the source, not here</source>
-   <extracomment>[procc_annotator/gui/commands/opening.py]</extracomment>
+   <extracomment>[procc_annotator/gui/commands/opening.py, procc_annotator/gui/window/tour.py]</extracomment>
    <translation>示例随源代码提供，此处没有</translation>
   </message>
   <message>
@@ -3003,15 +2969,17 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>未接受任何帧：{why}</translation>
   </message>
-  <message>
-   <source>accept the track</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>接受跟踪</translation>
+  <message numerus="yes">
+   <source>annotate {n:,} frames</source>
+   <extracomment>annotate {n:,} frame / annotate {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>
+    <numerusform>标注 {n:,} 帧</numerusform>
+   </translation>
   </message>
   <message>
-   <source>take back the track</source>
+   <source>take back accepted elements</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>撤回跟踪</translation>
+   <translation>撤回已接受的元素</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3048,9 +3016,9 @@ Loses {loses}.</source>
    <translation>本帧的相机不确定：正在镜头中查找确定的相机；请查看本帧并接受其线（Shift+Enter），之后按 T 跟踪</translation>
   </message>
   <message>
-   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or annotate it, then T follows it</source>
+   <source>no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter), or {advice}; then T follows it</source>
    <extracomment>[procc_annotator/gui/commands/shot_following.py]</extracomment>
-   <translation>镜头中没有相机确定的帧：请接受某帧的线（Shift+Enter）或标注该帧，之后按 T 跟踪</translation>
+   <translation>镜头中没有相机确定的帧：请接受某帧的线（Shift+Enter），或{advice}；之后按 T 跟踪</translation>
   </message>
   <message numerus="yes">
    <source>followed {n:,} frames, {doubtful:,} of them doubtful (Alt+PgDown); Ctrl+Shift+Enter accepts the sure ones</source>
@@ -3324,6 +3292,11 @@ Loses {loses}.</source>
    </translation>
   </message>
   <message>
+   <source>This name does not fit the pattern: the frame stands alone</source>
+   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
+   <translation>此名称不符合模式：该帧单独存在</translation>
+  </message>
+  <message>
    <source>{file} groups {sizes} from now on</source>
    <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
    <translation>{file} 从现在起将{sizes}分组</translation>
@@ -3341,11 +3314,6 @@ Loses {loses}.</source>
    <translation>
     <numerusform>{n:,} 个名称不符合（在表格末尾）</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>This name does not fit the pattern: the frame stands alone</source>
-   <extracomment>[procc_annotator/gui/commands/view_grouping.py]</extracomment>
-   <translation>此名称不符合模式：该帧单独存在</translation>
   </message>
   <message>
    <source>Group views</source>
@@ -4124,9 +4092,9 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
    <translation>{model}（地面）</translation>
   </message>
   <message>
-   <source>{model} here, several models</source>
+   <source>{model} here</source>
    <extracomment>[procc_annotator/gui/panels/camera_sources.py]</extracomment>
-   <translation>此处为 {model}，多种模型</translation>
+   <translation>此处 {model}</translation>
   </message>
   <message numerus="yes">
    <source>{n:,} frames followed</source>
@@ -4136,10 +4104,10 @@ procc-annotator track 可跟踪整个视频并写出其相机</translation>
    </translation>
   </message>
   <message numerus="yes">
-   <source>{n:,} frames fitted</source>
-   <extracomment>{n:,} frame fitted / {n:,} frames fitted [procc_annotator/gui/panels/camera_sources.py]</extracomment>
+   <source>{n:,} opened frames</source>
+   <extracomment>{n:,} opened frame / {n:,} opened frames [procc_annotator/gui/panels/camera_sources.py]</extracomment>
    <translation>
-    <numerusform>已拟合 {n:,} 帧</numerusform>
+    <numerusform>已打开 {n:,} 帧</numerusform>
    </translation>
   </message>
   <message>
@@ -4622,9 +4590,9 @@ Open a folder of pictures to check their labels.</source>
    </translation>
   </message>
   <message>
-   <source>Which findings are listed</source>
+   <source>List the findings of all checked frames, errors first, or of this frame</source>
    <extracomment>[procc_annotator/gui/panels/findings.py]</extracomment>
-   <translation>列出哪些检查结果</translation>
+   <translation>列出所有已检查帧的检查结果（错误在前），或仅本帧的</translation>
   </message>
   <message>
    <source>Frames checked</source>
@@ -4685,11 +4653,6 @@ Open a folder of pictures to check their labels.</source>
    <translation>检查结果</translation>
   </message>
   <message>
-   <source>This frame</source>
-   <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>本帧</translation>
-  </message>
-  <message>
    <source>Whole set</source>
    <extracomment>[procc_annotator/gui/panels/findings.py, procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>整个数据集</translation>
@@ -4745,41 +4708,6 @@ Open a folder of pictures to check their labels.</source>
    <source>Largest distance of its points to the fitted element, px of the picture</source>
    <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
    <translation>其点到拟合元素的最大距离，以图片 px 计</translation>
-  </message>
-  <message>
-   <source>chosen automatically</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>自动选择</translation>
-  </message>
-  <message>
-   <source>H: homography of the ground</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>H：地面的单应矩阵</translation>
-  </message>
-  <message>
-   <source>P: pinhole</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>P：针孔</translation>
-  </message>
-  <message>
-   <source>R: pinhole, lens distortion</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R：针孔，镜头畸变</translation>
-  </message>
-  <message>
-   <source>R+: R, aspect ratio, principal point</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R+：R，像素宽高比，主点</translation>
-  </message>
-  <message>
-   <source>R2: R+, second radial coefficient</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>R2：R+，第二径向系数</translation>
-  </message>
-  <message>
-   <source>F: fisheye</source>
-   <extracomment>[procc_annotator/gui/panels/fit.py]</extracomment>
-   <translation>F：鱼眼</translation>
   </message>
   <message>
    <source>{model}. Chosen: {why}</source>
@@ -5405,6 +5333,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>点尚太少：图片的一个部分有五个点才成一个箭头。</translation>
   </message>
   <message>
+   <source>This frame</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>本帧</translation>
+  </message>
+  <message>
    <source>Copy or save the plot and its numbers</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>复制或保存图表及其数值</translation>
@@ -5423,11 +5356,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>All elements</source>
    <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
    <translation>所有元素</translation>
-  </message>
-  <message>
-   <source>Save</source>
-   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
-   <translation>保存</translation>
   </message>
   <message>
    <source>Plot</source>
@@ -5490,6 +5418,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>（无得分）</translation>
   </message>
   <message>
+   <source>Save</source>
+   <extracomment>[procc_annotator/gui/panels/plots/plots_panel.py]</extracomment>
+   <translation>保存</translation>
+  </message>
+  <message>
    <source>Committed in blind mode, and as it was then.</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>以盲标模式提交，且此后未变。</translation>
@@ -5508,11 +5441,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>How the points of this frame came to be</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>本帧的点如何产生</translation>
-  </message>
-  <message>
-   <source>Comment on this frame</source>
-   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
-   <translation>对本帧的评论</translation>
   </message>
   <message>
    <source>Add the comment to the thread (Enter)</source>
@@ -5550,6 +5478,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>本帧没有评论。</translation>
   </message>
   <message>
+   <source>Comment on this place</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>对此处的评论</translation>
+  </message>
+  <message>
    <source>{frame} is {status}</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>{frame} 为“{status}”</translation>
@@ -5580,6 +5513,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>
     <numerusform>待确认（Shift+V）：{n:,} 个元素</numerusform>
    </translation>
+  </message>
+  <message>
+   <source>Comment on this frame</source>
+   <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
+   <translation>对本帧的评论</translation>
   </message>
   <message>
    <source>Ticked: settled</source>
@@ -6160,6 +6098,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>未打开任何内容</translation>
   </message>
   <message>
+   <source>unfinished elements were kept: {titles}</source>
+   <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
+   <translation>已保留未完成的元素：{titles}</translation>
+  </message>
+  <message>
    <source>the field of this dataset: {field}</source>
    <extracomment>[procc_annotator/gui/state/navigation/navigator.py]</extracomment>
    <translation>此数据集的场地：{field}</translation>
@@ -6170,9 +6113,54 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>此方向没有更多符合筛选的帧</translation>
   </message>
   <message>
+   <source>you rejected it (Ctrl+Z takes that back)</source>
+   <extracomment>[procc_annotator/gui/state/prediction/camera_choice.py]</extracomment>
+   <translation>您已拒绝（Ctrl+Z 撤销）</translation>
+  </message>
+  <message>
+   <source>draw 3 elements, two of which meet, such as {names}</source>
+   <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
+   <translation>绘制 3 个元素（其中两个相交），例如 {names}</translation>
+  </message>
+  <message>
    <source>{title}: its line could not be looked for: {why}</source>
    <extracomment>[procc_annotator/gui/state/prediction/ghosts.py]</extracomment>
    <translation>{title}：无法寻找其线：{why}</translation>
+  </message>
+  <message>
+   <source>chosen automatically</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>自动选择</translation>
+  </message>
+  <message>
+   <source>H: homography of the ground</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>H：地面的单应矩阵</translation>
+  </message>
+  <message>
+   <source>P: pinhole</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>P：针孔</translation>
+  </message>
+  <message>
+   <source>R: pinhole, lens distortion</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R：针孔，镜头畸变</translation>
+  </message>
+  <message>
+   <source>R+: R, aspect ratio, principal point</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R+：R，像素宽高比，主点</translation>
+  </message>
+  <message>
+   <source>R2: R+, second radial coefficient</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>R2：R+，第二径向系数</translation>
+  </message>
+  <message>
+   <source>F: fisheye</source>
+   <extracomment>[procc_annotator/gui/state/prediction/live_fit.py, the setting fit_model]</extracomment>
+   <translation>F：鱼眼</translation>
   </message>
   <message>
    <source>the fit failed: {why}</source>
@@ -6365,11 +6353,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>Live fit: model {model}</source>
    <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
    <translation>实时拟合：模型 {model}</translation>
-  </message>
-  <message>
-   <source>Fit this model to the clicks; auto takes the simplest that they support</source>
-   <extracomment>[procc_annotator/gui/window/command_palette.py]</extracomment>
-   <translation>用此模型拟合点击；auto 采用点击所能支持的最简模型</translation>
   </message>
   <message>
    <source>Panel {title}</source>
@@ -6795,11 +6778,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>本帧的状态（“审核”面板）</translation>
   </message>
   <message>
-   <source>JaC – {why}</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>JaC – {why}</translation>
-  </message>
-  <message>
    <source>What the score is computed with: {terms}</source>
    <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
    <translation>得分的计算条件：{terms}</translation>
@@ -6847,9 +6825,74 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>盲标：提交后可见 JaC</translation>
   </message>
   <message>
-   <source>no changes</source>
-   <extracomment>[procc_annotator/gui/window/top_bar.py]</extracomment>
-   <translation>无更改</translation>
+   <source>{n} of {total}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>{n} / {total}</translation>
+  </message>
+  <message>
+   <source>The camera is found without a click; dashed: what it expects. Shift+Enter accepts that</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>无需点击即可找到相机；虚线是其预期位置。按 Shift+Enter 接受</translation>
+  </message>
+  <message>
+   <source>W switches to editing: drag a point off its line</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>按 W 切换到编辑：将一个点拖离其线</translation>
+  </message>
+  <message>
+   <source>The tab Check lists possible mistakes: open it. F12 applies the first remedy</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>“检查”标签页列出可能的错误：请打开。F12 执行首选修复</translation>
+  </message>
+  <message>
+   <source>Ctrl+Enter: this frame is done</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Ctrl+Enter：本帧完成</translation>
+  </message>
+  <message>
+   <source>Ctrl+Shift+D: a frame without annotation. W, and draw a line: click its ends, press Enter, choose its name</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>Ctrl+Shift+D：无标注的帧。按 W 绘制一条线：点击两端，按 Enter，选择名称</translation>
+  </message>
+  <message>
+   <source>Judge, at the top right (Shift+F2), then C: the fitted camera, judged by your annotation</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>右上角“评判”（Shift+F2），再按 C：用您的标注评判拟合的相机</translation>
+  </message>
+  <message>
+   <source>File &gt; Export as… writes the annotations for other programs: look at it</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>文件 &gt; 导出为… 为其他程序写出标注：请查看</translation>
+  </message>
+  <message>
+   <source>That was the tour. Shift+F1: back to annotating; F1: all keys</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>导览结束。Shift+F1：返回标注；F1：所有按键</translation>
+  </message>
+  <message>
+   <source>Go on to the next step</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>进入下一步</translation>
+  </message>
+  <message>
+   <source>Esc ends the tour, too</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>按 Esc 也可结束导览</translation>
+  </message>
+  <message>
+   <source>Skip</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>跳过</translation>
+  </message>
+  <message>
+   <source>End</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>结束</translation>
+  </message>
+  <message>
+   <source>the sample cannot be copied: {why}</source>
+   <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
+   <translation>无法复制示例：{why}</translation>
   </message>
   <message>
    <source>Drop a folder of pictures here</source>
@@ -6885,6 +6928,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Try the sample</source>
    <extracomment>[procc_annotator/gui/window/welcome.py]</extracomment>
    <translation>试用示例</translation>
+  </message>
+  <message>
+   <source>Tour (60 seconds)</source>
+   <extracomment>[procc_annotator/gui/window/welcome.py, the action tour]</extracomment>
+   <translation>导览（60 秒）</translation>
   </message>
   <message>
    <source>Go on with</source>
@@ -7936,6 +7984,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>返回上一个既未完成也未批准的帧</translation>
   </message>
   <message>
+   <source>Go to</source>
+   <extracomment>[the menus]</extracomment>
+   <translation>前往</translation>
+  </message>
+  <message>
    <source>Next rejected</source>
    <extracomment>[the action next_rejected]</extracomment>
    <translation>下一个被退回</translation>
@@ -8121,9 +8174,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>下一个已标注帧</translation>
   </message>
   <message>
-   <source>Go on to the next frame of the shot that is annotated</source>
+   <source>Go on to the next frame that is annotated</source>
    <extracomment>[the action next_anchor]</extracomment>
-   <translation>前往镜头中下一个已标注的帧</translation>
+   <translation>前往下一个已标注的帧</translation>
   </message>
   <message>
    <source>Previous annotated frame</source>
@@ -8234,6 +8287,16 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Write to the thread of this frame</source>
    <extracomment>[the action comment]</extracomment>
    <translation>在本帧的讨论中留言</translation>
+  </message>
+  <message>
+   <source>Comment on this place…</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>评论此处…</translation>
+  </message>
+  <message>
+   <source>Write a comment on the place at the cursor; a numbered pin marks it in the picture</source>
+   <extracomment>[the action comment_here]</extracomment>
+   <translation>对光标处写评论；带编号的图钉在图片中标出该处</translation>
   </message>
   <message>
    <source>Earlier versions…</source>
@@ -8381,9 +8444,9 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>完成元素而不进入下一个</translation>
   </message>
   <message>
-   <source>Take back last point</source>
+   <source>Remove the last point</source>
    <extracomment>[the action back]</extracomment>
-   <translation>撤回最后一点</translation>
+   <translation>移除最后一点</translation>
   </message>
   <message>
    <source>Remove the point clicked last</source>
@@ -8534,6 +8597,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>Make the ghost an element: points on its painted line, none where that is hidden (Enter)</source>
    <extracomment>[the action accept_ghost]</extracomment>
    <translation>将虚影变成元素：在其画线上取点，被遮挡处不取（回车）</translation>
+  </message>
+  <message>
+   <source>Accept all ghosts</source>
+   <extracomment>[the action accept_ghosts]</extracomment>
+   <translation>接受所有虚影</translation>
   </message>
   <message>
    <source>Accept all ghosts whose painted lines are seen well enough (Shift+Enter while nothing is being drawn)</source>
@@ -9121,6 +9189,11 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <translation>命令面板：用名称的几个字母找到任何操作、元素、帧、相机源和最近的文件夹</translation>
   </message>
   <message>
+   <source>Draw, accept, check, judge and export, step by step, on a copy of the sample</source>
+   <extracomment>[the action tour]</extracomment>
+   <translation>在示例的副本上逐步绘制、接受、检查、评判并导出</translation>
+  </message>
+  <message>
    <source>Show all actions and their keys on one sheet</source>
    <extracomment>[the action keys]</extracomment>
    <translation>在一张表上显示所有操作及其按键</translation>
@@ -9254,41 +9327,6 @@ Brightness, contrast, gamma, line enhance: only what you see changes</source>
    <source>The camera that is fitted to the clicks; auto: the simplest that they support</source>
    <extracomment>[the setting fit_model]</extracomment>
    <translation>根据点击拟合的相机；auto：点击所能支持的最简模型</translation>
-  </message>
-  <message>
-   <source>auto</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>auto</translation>
-  </message>
-  <message>
-   <source>H</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>H</translation>
-  </message>
-  <message>
-   <source>P</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>P</translation>
-  </message>
-  <message>
-   <source>R</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R</translation>
-  </message>
-  <message>
-   <source>R+</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R+</translation>
-  </message>
-  <message>
-   <source>R2</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>R2</translation>
-  </message>
-  <message>
-   <source>F</source>
-   <extracomment>[the setting fit_model]</extracomment>
-   <translation>F</translation>
   </message>
   <message>
    <source>Judge the fit</source>
