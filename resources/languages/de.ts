@@ -531,6 +531,21 @@
    <translation>das Bild ist fast quadratisch: seine Pixel sind es vielleicht nicht</translation>
   </message>
   <message>
+   <source>{field} has no painted lines to look for</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>{field} hat keine gemalten Linien, die sich suchen ließen</translation>
+  </message>
+  <message>
+   <source>no camera has its lines on the paint of this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>keine Kamera hat ihre Linien auf der Farbe dieses Bildes</translation>
+  </message>
+  <message>
+   <source>there is hardly any paint on the ground in this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>in diesem Bild ist kaum Farbe auf dem Boden</translation>
+  </message>
+  <message>
    <source>too little paint in sight</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>zu wenig Farbe in Sicht</translation>
@@ -6952,7 +6967,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Ctrl+Shift+D: a frame without annotation. W, and draw a line: click its ends, press Enter, choose its name</source>
    <extracomment>[procc_annotator/gui/window/tour.py]</extracomment>
-   <translation>Strg+Umschalt+D: ein Bild ohne Annotation. W, dann eine Linie zeichnen: Enden anklicken, Eingabe, Namen wählen</translation>
+   <translation>Strg+Umschalt+D: ein Bild ohne Annotation. W, Linie zeichnen: Enden anklicken, Eingabe, Namen wählen</translation>
   </message>
   <message>
    <source>Judge, at the top right (Shift+F2), then C: the fitted camera, judged by your annotation</source>
@@ -9304,7 +9319,7 @@ Helligkeit, Kontrast, Gamma, Linien verstärken: nur was Sie sehen, ändert sich
   <message>
    <source>Draw, accept, check, judge and export, step by step, on a copy of the sample</source>
    <extracomment>[the action tour]</extracomment>
-   <translation>Zeichnen, annehmen, prüfen, beurteilen und exportieren, Schritt für Schritt, an einer Kopie des Beispiels</translation>
+   <translation>Zeichnen, annehmen, prüfen, beurteilen, exportieren: Schritt für Schritt an einer Beispielkopie</translation>
   </message>
   <message>
    <source>Show all actions and their keys on one sheet</source>

@@ -531,6 +531,21 @@
    <translation>la imagen es casi cuadrada: sus píxeles quizá no lo sean</translation>
   </message>
   <message>
+   <source>{field} has no painted lines to look for</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>{field} no tiene líneas pintadas que buscar</translation>
+  </message>
+  <message>
+   <source>no camera has its lines on the paint of this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>ninguna cámara tiene sus líneas sobre la pintura de esta imagen</translation>
+  </message>
+  <message>
+   <source>there is hardly any paint on the ground in this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>apenas hay pintura en el suelo en esta imagen</translation>
+  </message>
+  <message>
    <source>too little paint in sight</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>demasiado poca pintura a la vista</translation>

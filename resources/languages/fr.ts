@@ -531,6 +531,21 @@
    <translation>l’image est presque carrée : ses pixels ne le sont peut-être pas</translation>
   </message>
   <message>
+   <source>{field} has no painted lines to look for</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>{field} n’a pas de lignes peintes à rechercher</translation>
+  </message>
+  <message>
+   <source>no camera has its lines on the paint of this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>aucune caméra n’a ses lignes sur la peinture de cette image</translation>
+  </message>
+  <message>
+   <source>there is hardly any paint on the ground in this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>il n’y a presque pas de peinture au sol dans cette image</translation>
+  </message>
+  <message>
    <source>too little paint in sight</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>trop peu de peinture en vue</translation>

@@ -523,6 +523,21 @@
    <translation>画像がほぼ正方形です：画素は正方形でないかもしれません</translation>
   </message>
   <message>
+   <source>{field} has no painted lines to look for</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>{field} には探せる線がありません</translation>
+  </message>
+  <message>
+   <source>no camera has its lines on the paint of this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>この画像の塗られた線に合うカメラがありません</translation>
+  </message>
+  <message>
+   <source>there is hardly any paint on the ground in this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>この画像の地面には塗られた線がほとんどありません</translation>
+  </message>
+  <message>
    <source>too little paint in sight</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>見える塗りが少なすぎます</translation>

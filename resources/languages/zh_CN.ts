@@ -523,6 +523,21 @@
    <translation>图片接近正方形：其像素可能不是正方形</translation>
   </message>
   <message>
+   <source>{field} has no painted lines to look for</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>{field} 没有可寻找的画线</translation>
+  </message>
+  <message>
+   <source>no camera has its lines on the paint of this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>没有相机的线落在此图片的画线上</translation>
+  </message>
+  <message>
+   <source>there is hardly any paint on the ground in this picture</source>
+   <extracomment>[procc_annotator/calibration/single_image/propose.py]</extracomment>
+   <translation>此图片的地面上几乎没有画线</translation>
+  </message>
+  <message>
    <source>too little paint in sight</source>
    <extracomment>[procc_annotator/calibration/tracking/filter_step.py]</extracomment>
    <translation>可见画线太少</translation>

@@ -31,6 +31,7 @@ from shiboken6 import isValid
 from procc_annotator import translation
 from procc_annotator.calibration.label_check.element_rules import few_points_finding
 from procc_annotator.calibration.label_check.evidence import AnnotatedElement
+from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.dataset import editing
 from procc_annotator.field.load import load_field
 from procc_annotator.formats.annotations.registry import FORMATS
@@ -421,6 +422,24 @@ def test_nothing_is_cut_off(longest, audited, monkeypatch):
         for window in _opened(audited):
             cut |= _cut_off(window)
     assert cut == {}
+
+
+@pytest.mark.new_window
+def test_menus_give_way_to_the_words_beside_them(longest, audited, qtbot):
+    audited.resize(1000, 700)
+    top = audited.top_bar
+    top.saved.set_saved(tr("saved"))
+    audited.panels.turn_to("judge")
+    qtbot.waitUntil(lambda: "JaC" in top.camera_bar.jac.text())
+    qtbot.waitUntil(lambda: top.width() >= top.minimumSizeHint().width())
+
+
+def test_why_no_camera_was_found_is_said_in_the_language(qapp):
+    found = propose_camera(np.zeros((270, 480, 4), np.uint8), load_field("soccer"))
+    take_up(qapp, "de")
+    said = tr(found.reason)
+    take_up(qapp, "en")
+    assert said == "ist dies Fußball? in diesem Bild ist kaum Farbe auf dem Boden"
 
 
 # --- the translations -----------------------------------------------------------------------------

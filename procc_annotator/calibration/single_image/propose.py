@@ -99,7 +99,9 @@ def propose_camera(
     """
     size = (picture.shape[1], picture.shape[0])
     if field_line_points(field) is None:
-        return _no_proposal(size, f"{field.title} has no painted lines to look for")
+        title = translatable(field.title)
+        why = translatable("{field} has no painted lines to look for", field=title)
+        return _no_proposal(size, why)
     pixels = field.pixels
     possible = possible_pixel_aspects(size) if pixels is None else (pixels,)
     elsewhere = elsewhere or not known
@@ -117,9 +119,9 @@ def propose_camera(
         pixels = most_probable_aspect(possible, [[one.sample if one else None] for one in found])
     best = found[[one.value for one in possible].index(pixels.value)] if pixels else found[0]
     if best is None:
-        why = "no camera has its lines on the paint of this picture"
+        why = translatable("no camera has its lines on the paint of this picture")
         if len(line_pixels_for_field(picture, field).on_ground) < _MIN_LINE_PIXELS:
-            why = "there is hardly any paint on the ground in this picture"
+            why = translatable("there is hardly any paint on the ground in this picture")
         return _with_sport_hint(_no_proposal(size, why), field)
     return _with_sport_hint(_proposal(best, size, pixels or SQUARE_PIXELS, sure_from), field)
 
@@ -221,7 +223,8 @@ def _with_sport_hint(found: Proposal, field: Field) -> Proposal:
     """Ask for the sport where no camera was found."""
     if found.state != NONE:
         return found
-    hint = translatable("is this {field}? {why}", field=field.title, why=found.reason)
+    title = translatable(field.title)
+    hint = translatable("is this {field}? {why}", field=title, why=found.reason)
     return replace(found, fit=replace(found.fit, failure=hint), reason=hint)
 
 

@@ -35,12 +35,13 @@ from procc_annotator.translation import tr, word
 
 
 class IsolatedRow(QWidget):
-    """Gives a widget all its room: whatever that asks for, nothing around is laid out anew."""
+    """Gives a widget all its room: nothing around is laid out anew, unless it needs more."""
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__()
         self._widget = widget
         widget.setParent(self)
+        widget.installEventFilter(self)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
 
     def minimumSizeHint(self) -> QSize:
@@ -50,6 +51,13 @@ class IsolatedRow(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self._widget.setGeometry(self.rect())
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Ask for more room where the widget, laid out anew, has too little."""
+        changed = event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize)
+        if changed and self._widget.minimumSizeHint().width() > self.width():
+            self.updateGeometry()
+        return super().eventFilter(watched, event)
 
 
 MESSAGE_END = "  ·  "  # what just happened stands before the hint

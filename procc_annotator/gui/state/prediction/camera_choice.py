@@ -36,7 +36,7 @@ from procc_annotator.gui.state.sequences import is_annotated
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.translation import word
+from procc_annotator.translation import translatable
 
 _KEPT_PROPOSALS = 64
 _STAYED_MS = 150  # a frame that is left sooner was only passed
@@ -107,7 +107,7 @@ class Proposals(QObject):
         found = None if state.frame is None else self._derived.cached(state.frame, state.field)
         if found is None or state.frame not in self._rejected:
             return found
-        why = word("you rejected it (Ctrl+Z takes that back)")
+        why = translatable("you rejected it (Ctrl+Z takes that back)")
         return replace(found, state=NONE, reason=why, fit=replace(found.fit, camera=None))
 
     def reject(self, rejected: bool) -> bool:
