@@ -267,19 +267,9 @@
    <translation>dem Bildrand</translation>
   </message>
   <message>
-   <source>{title} stops {px:.0f} px short of {what}</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} endet {px:.0f} px vor {what}</translation>
-  </message>
-  <message>
    <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>seine Punkte auf die Linie setzen</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} endet {px:.0f} px vor {what}, und am anderen Ende {px_2:.0f} px vor {what_2}</translation>
   </message>
   <message>
    <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
@@ -300,6 +290,11 @@
    <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>ein Ende von {title} liegt nicht auf Farbe</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} endet {px:.0f} px vor {what}</translation>
   </message>
   <message>
    <source>look at it</source>

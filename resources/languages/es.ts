@@ -267,19 +267,9 @@
    <translation>el borde de la imagen</translation>
   </message>
   <message>
-   <source>{title} stops {px:.0f} px short of {what}</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>a {title} le faltan {px:.0f} px para llegar a {what}</translation>
-  </message>
-  <message>
    <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>poner sus puntos sobre la línea</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>a {title} le faltan {px:.0f} px para llegar a {what}, y {px_2:.0f} px para llegar a {what_2} en el otro extremo</translation>
   </message>
   <message>
    <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
@@ -300,6 +290,11 @@
    <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>un extremo de {title} no está sobre pintura</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>a {title} le faltan {px:.0f} px para llegar a {what}</translation>
   </message>
   <message>
    <source>look at it</source>

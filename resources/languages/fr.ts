@@ -267,19 +267,9 @@
    <translation>le bord de l’image</translation>
   </message>
   <message>
-   <source>{title} stops {px:.0f} px short of {what}</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>à {title} il manque {px:.0f} px pour atteindre {what}</translation>
-  </message>
-  <message>
    <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>mettre ses points sur la ligne</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>à {title} il manque {px:.0f} px pour atteindre {what}, et {px_2:.0f} px pour atteindre {what_2} à l’autre bout</translation>
   </message>
   <message>
    <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
@@ -300,6 +290,11 @@
    <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>un bout de {title} n’est pas sur la peinture</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>à {title} il manque {px:.0f} px pour atteindre {what}</translation>
   </message>
   <message>
    <source>look at it</source>

@@ -262,19 +262,9 @@
    <translation>画像の縁</translation>
   </message>
   <message>
-   <source>{title} stops {px:.0f} px short of {what}</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} は{what}まで {px:.0f} px 届いていません</translation>
-  </message>
-  <message>
    <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>点を線の上に移す</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} は{what}まで {px:.0f} px、反対の端では{what_2}まで {px_2:.0f} px 届いていません</translation>
   </message>
   <message>
    <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
@@ -295,6 +285,11 @@
    <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>{title} の一端が塗りの上にありません</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} は{what}まで {px:.0f} px 届いていません</translation>
   </message>
   <message>
    <source>look at it</source>

@@ -262,19 +262,9 @@
    <translation>图片边缘</translation>
   </message>
   <message>
-   <source>{title} stops {px:.0f} px short of {what}</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} 离{what}还差 {px:.0f} px</translation>
-  </message>
-  <message>
    <source>move its points onto the line</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>将其点移到线上</translation>
-  </message>
-  <message>
-   <source>{title} stops {px:.0f} px short of {what}, and {px_2:.0f} px short of {what_2} at its other end</source>
-   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
-   <translation>{title} 离{what}还差 {px:.0f} px，另一端离{what_2}还差 {px_2:.0f} px</translation>
   </message>
   <message>
    <source>{title} bends: its line is up to {px:.0f} px off between points. Press R to follow it</source>
@@ -295,6 +285,11 @@
    <source>one end of {title} is not on paint</source>
    <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
    <translation>{title} 的一端不在画线上</translation>
+  </message>
+  <message>
+   <source>{title} stops {px:.0f} px short of {what}</source>
+   <extracomment>[procc_annotator/calibration/label_check/extent_rules.py]</extracomment>
+   <translation>{title} 离{what}还差 {px:.0f} px</translation>
   </message>
   <message>
    <source>look at it</source>
