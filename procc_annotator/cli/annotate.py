@@ -58,22 +58,19 @@ EXAMPLE = """\
   procc-annotator annotate match/ match/annotations/ --cameras proposed/ --views 20
 """
 
-Out = Annotated[Path, typer.Argument(help="Folder to write the annotations to.")]
-Cameras = Annotated[
-    Path, typer.Option("--cameras", metavar="PATH", help="Folder, zip or file of cameras.")
-]
-Views = Annotated[
-    int | None, typer.Option(min=1, metavar="K", help="The K frames whose views differ most only.")
-]
-
 
 def annotate(
     source: options.PicturesOrVideo,
-    out: Out,
-    cameras: Cameras,
+    out: Annotated[Path, typer.Argument(help="Folder to write the annotations to.")],
+    cameras: Annotated[
+        Path, typer.Option("--cameras", metavar="PATH", help="Folder, zip or file of cameras.")
+    ],
     given: options.FieldOptions,
     every: options.Every = 1,
-    views: Views = None,
+    views: Annotated[
+        int | None,
+        typer.Option(min=1, metavar="K", help="The K frames whose views differ most only."),
+    ] = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
     workers: options.FitWorkers = None,

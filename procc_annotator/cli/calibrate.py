@@ -75,28 +75,12 @@ EXAMPLE = """\
 """
 
 
-Out = Annotated[Path, typer.Argument(help="Folder or .zip to write the cameras to.")]
-SharedPosition = Annotated[
-    bool,
-    typer.Option(
-        "--shared-position", help="One position for the frames that a camera took from there."
-    ),
-]
-HeldOut = Annotated[
-    bool,
-    typer.Option(
-        "--leave-one-out",
-        help="Also leave out every element in turn, and judge it by the camera of the others.",
-    ),
-]
-
-
 @dataclass(frozen=True, kw_only=True)
 class CalibrateOptions:
     """Options of `calibrate`."""
 
     dataset: options.AnnotatedSet
-    out: Out
+    out: Annotated[Path, typer.Argument(help="Folder or .zip to write the cameras to.")]
     model: options.Model = "R"
     threshold: options.Thresholds = None
     protocol: options.Protocol = "soccernet"
@@ -106,9 +90,20 @@ class CalibrateOptions:
     mirrored: options.Mirrored = False
     workers: options.FitWorkers = None
     dask: options.Dask = None
-    shared_position: SharedPosition = False
+    shared_position: Annotated[
+        bool,
+        typer.Option(
+            "--shared-position", help="One position for the frames that a camera took from there."
+        ),
+    ] = False
     groups: options.Groups = None
-    held_out: HeldOut = False
+    held_out: Annotated[
+        bool,
+        typer.Option(
+            "--leave-one-out",
+            help="Also leave out every element in turn, and judge it by the camera of the others.",
+        ),
+    ] = False
     resume: options.Resume = False
     overwrite: options.Overwrite = False
 

@@ -43,40 +43,33 @@ annotations were unreadable (listed); 2 if there was nothing to do.
 EXAMPLE = "  procc-annotator check match/ --output findings.csv\n"
 
 
-Least = Annotated[
-    str,
-    typer.Option(
-        "--min-severity", metavar="error|warning|hint", help="Leave out what is less severe."
-    ),
-]
-FailOn = Annotated[
-    str | None,
-    typer.Option(
-        "--fail-on",
-        metavar="error|warning|hint",
-        help="Exit code 1 if something at least so severe is found.",
-    ),
-]
-
-
-Paint = Annotated[
-    bool,
-    typer.Option(
-        "--line-evidence/--no-line-evidence",
-        help="Look for line pixels under the elements, if there are pictures.",
-    ),
-]
-
-
 def check(
     dataset: options.AnnotatedSet,
     given: options.PictureFieldOptions,
     output: options.FigureFiles = None,
-    least: Least = "hint",
-    fail_on: FailOn = None,
+    least: Annotated[
+        str,
+        typer.Option(
+            "--min-severity", metavar="error|warning|hint", help="Leave out what is less severe."
+        ),
+    ] = "hint",
+    fail_on: Annotated[
+        str | None,
+        typer.Option(
+            "--fail-on",
+            metavar="error|warning|hint",
+            help="Exit code 1 if something at least so severe is found.",
+        ),
+    ] = None,
     model: options.Model = "R",
     size: options.FitSize = None,
-    paint: Paint = True,
+    paint: Annotated[
+        bool,
+        typer.Option(
+            "--line-evidence/--no-line-evidence",
+            help="Look for line pixels under the elements, if there are pictures.",
+        ),
+    ] = True,
     workers: options.FitWorkers = None,
     dask: options.Dask = None,
 ) -> None:

@@ -85,63 +85,55 @@ class FigureFormat(StrEnum):
     pdf = "pdf"
 
 
-First = Annotated[str, typer.Argument(metavar="A", help="The first source, [NAME[:FORMAT]=]PATH.")]
-Second = Annotated[str, typer.Argument(metavar="B", help="The second source.")]
-Dataset = Annotated[
-    Path | None,
-    typer.Argument(
-        help="Folder of pictures or annotations (also a zip of annotations): only its frames"
-        " are compared. Without it, all that A and B have in common."
-    ),
-]
-Pictures = Annotated[
-    Path | None,
-    typer.Option(
-        "--pictures", metavar="DIR", help="Draw the frames that disagree most into a folder."
-    ),
-]
-Encoding = Annotated[
-    FigureFormat, typer.Option("--format", help="Encoding of the pictures; svg and pdf are sharp.")
-]
-Worst = Annotated[
-    int,
-    typer.Option(
-        "--worst",
-        "-n",
-        metavar="N",
-        min=0,
-        help="How many frames to draw and list, largest median disagreement first; 0 for all.",
-    ),
-]
-Intervals = Annotated[
-    bool, typer.Option("--intervals", help="Also 95 % intervals of the figures of the set.")
-]
-Versus = Annotated[
-    str | None,
-    typer.Option(
-        metavar="[NAME=]PATH",
-        help="A third source: is it nearer to A than B is, beyond chance, on the frames all have?",
-    ),
-]
-
-
 @dataclass(frozen=True, kw_only=True)
 class CompareOptions:
     """Options of `compare`."""
 
-    a: First
-    b: Second
-    dataset: Dataset = None
+    a: Annotated[str, typer.Argument(metavar="A", help="The first source, [NAME[:FORMAT]=]PATH.")]
+    b: Annotated[str, typer.Argument(metavar="B", help="The second source.")]
+    dataset: Annotated[
+        Path | None,
+        typer.Argument(
+            help="Folder of pictures or annotations (also a zip of annotations): only its frames"
+            " are compared. Without it, all that A and B have in common."
+        ),
+    ] = None
     size: options.Size = "960x540"
     field: options.FieldName = None
     lines: options.Lines = None
     camera_size: options.CameraSize = None
     output: options.FigureFiles = None
-    pictures: Pictures = None
-    picture_format: Encoding = FigureFormat.png
-    worst: Worst = 10
-    intervals: Intervals = False
-    versus: Versus = None
+    pictures: Annotated[
+        Path | None,
+        typer.Option(
+            "--pictures", metavar="DIR", help="Draw the frames that disagree most into a folder."
+        ),
+    ] = None
+    picture_format: Annotated[
+        FigureFormat,
+        typer.Option("--format", help="Encoding of the pictures; svg and pdf are sharp."),
+    ] = FigureFormat.png
+    worst: Annotated[
+        int,
+        typer.Option(
+            "--worst",
+            "-n",
+            metavar="N",
+            min=0,
+            help="How many frames to draw and list, largest median disagreement first; 0 for all.",
+        ),
+    ] = 10
+    intervals: Annotated[
+        bool, typer.Option("--intervals", help="Also 95 % intervals of the figures of the set.")
+    ] = False
+    versus: Annotated[
+        str | None,
+        typer.Option(
+            metavar="[NAME=]PATH",
+            help="A third source: is it nearer to A than B is, beyond chance, on the frames all"
+            " have?",
+        ),
+    ] = None
     alike: inference_options.ClusterOptions
     seed: inference_options.Seed = inference_options.USUAL_SEED
     workers: options.FitWorkers = None

@@ -62,99 +62,83 @@ CAMERA_TARGETS = {
 }
 
 
-Source = Annotated[Path, typer.Argument(metavar="IN", help="What is read.")]
-Out = Annotated[Path, typer.Argument(metavar="OUT", help="File, folder or .zip to write.")]
-To = Annotated[str, typer.Option("--to", metavar="FORMAT", help="Format to write.")]
-From = Annotated[
-    str, typer.Option("--from", metavar="auto|FORMAT", help="Format of IN; auto looks into it.")
-]
-Size = Annotated[
-    str | None,
-    typer.Option(
-        metavar="WxH",
-        callback=options.checked_size,
-        help="Size of pictures that are not there and whose size no file tells; of cameras:"
-        " the size they are written for.",
-    ),
-]
-LineWidth = Annotated[
-    float, typer.Option("--line-width", metavar="PX", help="Width of the lines of masks.")
-]
-Split = Annotated[
-    str,
-    typer.Option(
-        "--split",
-        metavar="NAME",
-        help="Folder inside OUT that files of single frames go to; the subset of coco, yolo-pose."
-        "  [submission: test, coco: default, yolo-pose: train]",
-    ),
-]
-Into = Annotated[
-    Path | None,
-    typer.Option(
-        "--into",
-        metavar="FILE",
-        help="Labels-v3.json or Labels-GameState.json whose other content OUT keeps.",
-    ),
-]
-
-
-Pictures = Annotated[
-    bool,
-    typer.Option(
-        "--pictures", help="Copy the pictures as well, to where readers of the format look."
-    ),
-]
-Frames = Annotated[
-    Path | None,
-    typer.Option(
-        "--frames",
-        metavar="DIR",
-        help="Of polylines: a dataset, folder or zip of JSON files whose names are the frames that"
-        " are judged.  [default: the frames that have a camera]",
-    ),
-]
-Region = Annotated[
-    str | None,
-    typer.Option(
-        "--region",
-        metavar="field|X0,Y0,X1,Y1",
-        help="Of wc14, carwc and world: write the homography nearest to each camera over what its"
-        " picture shows of the field, or of a rectangle in metres, and list its errors.",
-    ),
-]
-Method = Annotated[
-    str | None,
-    typer.Option(
-        "--method",
-        metavar="NAME",
-        help="Of polylines: what the method is called.  [default: the name of IN]",
-    ),
-]
-
-
 @dataclass(frozen=True)
 class ConvertOptions:
     """Options of `convert`."""
 
-    source: Source
-    out: Out
-    to: To
-    from_: From = "auto"
+    source: Annotated[Path, typer.Argument(metavar="IN", help="What is read.")]
+    out: Annotated[Path, typer.Argument(metavar="OUT", help="File, folder or .zip to write.")]
+    to: Annotated[str, typer.Option("--to", metavar="FORMAT", help="Format to write.")]
+    from_: Annotated[
+        str, typer.Option("--from", metavar="auto|FORMAT", help="Format of IN; auto looks into it.")
+    ] = "auto"
     field: options.FieldName = None
     labels: options.LabelsFile = None
-    size: Size = None
+    size: Annotated[
+        str | None,
+        typer.Option(
+            metavar="WxH",
+            callback=options.checked_size,
+            help="Size of pictures that are not there and whose size no file tells; of cameras:"
+            " the size they are written for.",
+        ),
+    ] = None
     camera_size: options.CameraSize = None
-    line_width: LineWidth = 4.0
-    split: Split = ""
-    into: Into = None
+    line_width: Annotated[
+        float, typer.Option("--line-width", metavar="PX", help="Width of the lines of masks.")
+    ] = 4.0
+    split: Annotated[
+        str,
+        typer.Option(
+            "--split",
+            metavar="NAME",
+            help="Folder inside OUT that files of single frames go to; the subset of coco,"
+            " yolo-pose.  [submission: test, coco: default, yolo-pose: train]",
+        ),
+    ] = ""
+    into: Annotated[
+        Path | None,
+        typer.Option(
+            "--into",
+            metavar="FILE",
+            help="Labels-v3.json or Labels-GameState.json whose other content OUT keeps.",
+        ),
+    ] = None
     protocol: options.Protocol = "soccernet"
-    frames: Frames = None
-    method: Method = None
-    region: Region = None
+    frames: Annotated[
+        Path | None,
+        typer.Option(
+            "--frames",
+            metavar="DIR",
+            help="Of polylines: a dataset, folder or zip of JSON files whose names are the frames"
+            " that are judged.  [default: the frames that have a camera]",
+        ),
+    ] = None
+    method: Annotated[
+        str | None,
+        typer.Option(
+            "--method",
+            metavar="NAME",
+            help="Of polylines: what the method is called.  [default: the name of IN]",
+        ),
+    ] = None
+    region: Annotated[
+        str | None,
+        typer.Option(
+            "--region",
+            metavar="field|X0,Y0,X1,Y1",
+            help="Of wc14, carwc and world: write the homography nearest to each camera over what"
+            " its picture shows of the field, or of a rectangle in metres, and list its errors.",
+        ),
+    ] = None
     overwrite: options.Overwrite = False
     keep_optional: options.KeepOptional = False
-    pictures: Pictures = False
+    pictures: Annotated[
+        bool,
+        typer.Option(
+            "--pictures", help="Copy the pictures as well, to where readers of the format look."
+        ),
+    ] = False
 
 
 def convert(given: ConvertOptions) -> None:

@@ -14,17 +14,15 @@ from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report.overlay_scene import Rendering
 
-Threshold = Annotated[
-    float, typer.Option("--threshold", "-t", metavar="PX", help="Decides the colours.")
-]
-
 
 @dataclass(frozen=True, kw_only=True)
 class DrawingOptions(options.ScoringOptions):
     """What is drawn, and how it is scored."""
 
     annotations: input_files.Annotations = None
-    threshold: Threshold = options.DEFAULT_THRESHOLD
+    threshold: Annotated[
+        float, typer.Option("--threshold", "-t", metavar="PX", help="Decides the colours.")
+    ] = options.DEFAULT_THRESHOLD
 
     def open(self, dataset: Path, setup: EvaluationSetup) -> Workspace:
         """A folder, a video or annotations alone; raises as `input_files.open_dataset`."""

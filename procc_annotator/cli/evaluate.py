@@ -60,36 +60,21 @@ EXAMPLE = """\
 """
 
 
-Annotations = Annotated[
-    Path | None,
-    typer.Argument(help="Dataset folder, season, or folder or zip of annotation files."),
-]
-Cameras = Annotated[Path | None, typer.Argument(help="Folder or zip of camera files.")]
-Sets = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--set", metavar="NAME=ANNOTATIONS", help="A set of annotations; repeat for several."
-    ),
-]
-By = Annotated[
-    list[str] | None,
-    typer.Option(
-        metavar="TAG|model|zoom|elements|spread|side|shot",
-        help="Also the figures by this tag, or by the model of the camera; with intervals by zoom,"
-        " number of elements, how much of the picture they enclose, the camera's side and shot;"
-        " zoom and side are those of a pinhole fitted to each annotation; repeat for several."
-        "  [default: every tag of --tags]",
-    ),
-]
-
-
 @dataclass(frozen=True, kw_only=True)
 class EvaluateOptions:
     """Options of `evaluate`."""
 
-    annotations: Annotations = None
-    cameras: Cameras = None
-    sets: Sets = None
+    annotations: Annotated[
+        Path | None,
+        typer.Argument(help="Dataset folder, season, or folder or zip of annotation files."),
+    ] = None
+    cameras: Annotated[Path | None, typer.Argument(help="Folder or zip of camera files.")] = None
+    sets: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set", metavar="NAME=ANNOTATIONS", help="A set of annotations; repeat for several."
+        ),
+    ] = None
     sources: options.Sources = None
     threshold: options.Thresholds = None
     protocol: options.Protocol = "soccernet"
@@ -101,7 +86,16 @@ class EvaluateOptions:
     planar_only: options.PlanarOnly = False
     mirrored: options.Mirrored = False
     tags: inference_options.TagsFile = None
-    by: By = None
+    by: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="TAG|model|zoom|elements|spread|side|shot",
+            help="Also the figures by this tag, or by the model of the camera; with intervals by"
+            " zoom, number of elements, how much of the picture they enclose, the camera's side"
+            " and shot; zoom and side are those of a pinhole fitted to each annotation; repeat for"
+            " several.  [default: every tag of --tags]",
+        ),
+    ] = None
     intervals: inference_options.Intervals = False
     chance: inference_options.IntervalOptions
     seed: inference_options.Seed = inference_options.USUAL_SEED

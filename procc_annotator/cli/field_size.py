@@ -56,22 +56,20 @@ EXAMPLE = """\
 """
 
 
-Dimension = Annotated[
-    list[str] | None,
-    typer.Option(
-        metavar="NAME", help="Dimension to fit; repeat for several.  [default: length, width]"
-    ),
-]
-Save = Annotated[bool, typer.Option("--save", help="Keep the dimensions with the dataset.")]
-
-
 def field_size(
     dataset: options.AnnotatedSet,
     field_options: options.FieldOptions,
     groups: options.Groups = None,
-    dimension: Dimension = None,
+    dimension: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME", help="Dimension to fit; repeat for several.  [default: length, width]"
+        ),
+    ] = None,
     model: options.PosedModel = "R",
-    save: Save = False,
+    save: Annotated[
+        bool, typer.Option("--save", help="Keep the dimensions with the dataset.")
+    ] = False,
     threshold: options.Thresholds = None,
     protocol: options.Protocol = "soccernet",
     size: options.FitSize = None,

@@ -32,24 +32,21 @@ EXAMPLE = """\
   procc-annotator figure match/ figure.svg --cameras run1/ --frame 00012 --frame 00047
 """
 
-Out = Annotated[Path, typer.Argument(help="File of the figure: .svg, .pdf or .png.")]
-Frames = Annotated[
-    list[str] | None, typer.Option("--frame", metavar="NAME", help="A frame; repeat.")
-]
-Count = Annotated[
-    int, typer.Option("--count", min=1, max=50, metavar="N", help="Frames to choose.")
-]
-Width = Annotated[float, typer.Option(min=1, max=40, metavar="INCHES", help="Width of the figure.")]
-
 
 def figure(
     dataset: input_files.Dataset,
-    out: Out,
+    out: Annotated[Path, typer.Argument(help="File of the figure: .svg, .pdf or .png.")],
     given: DrawingOptions,
     cameras: options.Sources = None,
-    frames: Frames = None,
-    count: Count = 4,
-    width: Width = 7.0,
+    frames: Annotated[
+        list[str] | None, typer.Option("--frame", metavar="NAME", help="A frame; repeat.")
+    ] = None,
+    count: Annotated[
+        int, typer.Option("--count", min=1, max=50, metavar="N", help="Frames to choose.")
+    ] = 4,
+    width: Annotated[
+        float, typer.Option(min=1, max=40, metavar="INCHES", help="Width of the figure.")
+    ] = 7.0,
     overwrite: options.Overwrite = False,
 ) -> None:
     from procc_annotator.figures.qualitative import SUFFIXES, qualitative_figure

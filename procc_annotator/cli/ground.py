@@ -38,49 +38,47 @@ EXAMPLE = """\
   procc-annotator ground positions.csv --cameras cameras/ --to-pixels
 """
 
-Points = Annotated[Path, typer.Argument(help="Table of points or boxes.")]
-Cameras = Annotated[Path, typer.Option("--cameras", metavar="PATH", help="Cameras of the frames.")]
-Output = Annotated[
-    Path | None,
-    typer.Option("--output", "-o", metavar="FILE", help="CSV, JSON or Parquet.  [CSV here]"),
-]
-PointSize = Annotated[
-    str | None,
-    typer.Option(
-        "--size", metavar="WxH", callback=options.checked_size,
-        help="Picture size the points refer to.  [default: that of the cameras]",
-    ),
-]  # fmt: skip
-AxesName = Annotated[
-    str,
-    typer.Option(
-        metavar="|".join(AXES),
-        help="field: metres from the centre, y towards the main camera; up: y away from it (as"
-        " SkillCorner, kloppy); corner: from the far left corner; metrica: that as shares of the"
-        " field.",
-    ),
-]
-PixelSd = Annotated[
-    float | None,
-    typer.Option(min=0, metavar="PX", help="Standard deviation of the points along each axis."),
-]
-ToPixels = Annotated[bool, typer.Option("--to-pixels", help="X, Y in metres to x, y in px.")]
-
 
 @dataclass(frozen=True)
 class GroundOptions:
     """Options of `ground`."""
 
-    points: Points
-    cameras: Cameras
-    output: Output = None
+    points: Annotated[Path, typer.Argument(help="Table of points or boxes.")]
+    cameras: Annotated[
+        Path, typer.Option("--cameras", metavar="PATH", help="Cameras of the frames.")
+    ]
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="CSV, JSON or Parquet.  [CSV here]"),
+    ] = None
     field: options.FieldName = None
-    size: PointSize = None
+    size: Annotated[
+        str | None,
+        typer.Option(
+            "--size",
+            metavar="WxH",
+            callback=options.checked_size,
+            help="Picture size the points refer to.  [default: that of the cameras]",
+        ),
+    ] = None
     camera_format: options.CameraFormat = "auto"
     camera_size: options.CameraSize = None
-    axes: AxesName = "field"
-    pixel_sd: PixelSd = None
-    to_pixels: ToPixels = False
+    axes: Annotated[
+        str,
+        typer.Option(
+            metavar="|".join(AXES),
+            help="field: metres from the centre, y towards the main camera; up: y away from it (as"
+            " SkillCorner, kloppy); corner: from the far left corner; metrica: that as shares of"
+            " the field.",
+        ),
+    ] = "field"
+    pixel_sd: Annotated[
+        float | None,
+        typer.Option(min=0, metavar="PX", help="Standard deviation of the points along each axis."),
+    ] = None
+    to_pixels: Annotated[
+        bool, typer.Option("--to-pixels", help="X, Y in metres to x, y in px.")
+    ] = False
 
 
 def ground(given: GroundOptions) -> None:

@@ -104,36 +104,6 @@ Cluster = Annotated[
         " frames.csv or names), or none.  [default: shots, where there are several]",
     ),
 ]
-IntervalMethod = Annotated[
-    str,
-    typer.Option(
-        "--interval-method",
-        metavar="t|percentile|bca",
-        callback=_known_method,
-        help="How intervals are found: t: jackknife of clusters; percentile, bca: from sets drawn.",
-    ),
-]
-Power = Annotated[
-    bool,
-    typer.Option(
-        "--power", help="Also how many frames are needed to tell 1, 2 and 5 points of JaC apart."
-    ),
-]
-Noise = Annotated[
-    str | None,
-    typer.Option(
-        "--annotation-noise",
-        metavar="PX|FILE.json",
-        help="Also what clicks leave open: everything again and again with every point moved by so"
-        " much (standard deviation, px of the evaluation size), or by what agree's JSON tells.",
-    ),
-]
-Count = Annotated[
-    int,
-    typer.Option(
-        "--resamples", min=100, max=1_000_000, metavar="N", help="Number of bootstrap resamples."
-    ),
-]
 Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Random seed of the resamples.")]
 
 OverTime = Annotated[
@@ -205,10 +175,43 @@ class IntervalOptions:
     """Options of confidence intervals and tests."""
 
     cluster: Cluster = None
-    interval_method: IntervalMethod = USUAL_METHOD
-    power: Power = False
-    click_noise: Noise = None
-    draws: Count = USUAL_DRAWS
+    interval_method: Annotated[
+        str,
+        typer.Option(
+            "--interval-method",
+            metavar="t|percentile|bca",
+            callback=_known_method,
+            help="How intervals are found: t: jackknife of clusters; percentile, bca: from sets"
+            " drawn.",
+        ),
+    ] = USUAL_METHOD
+    power: Annotated[
+        bool,
+        typer.Option(
+            "--power",
+            help="Also how many frames are needed to tell 1, 2 and 5 points of JaC apart.",
+        ),
+    ] = False
+    click_noise: Annotated[
+        str | None,
+        typer.Option(
+            "--annotation-noise",
+            metavar="PX|FILE.json",
+            help="Also what clicks leave open: everything again and again with every point moved"
+            " by so much (standard deviation, px of the evaluation size), or by what agree's JSON"
+            " tells.",
+        ),
+    ] = None
+    draws: Annotated[
+        int,
+        typer.Option(
+            "--resamples",
+            min=100,
+            max=1_000_000,
+            metavar="N",
+            help="Number of bootstrap resamples.",
+        ),
+    ] = USUAL_DRAWS
 
     def terms(
         self,

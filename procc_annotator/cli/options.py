@@ -309,15 +309,6 @@ PlanarOnly = Annotated[
         help="Leave everything off the ground (goals, baskets, nets) out, for every camera.",
     ),
 ]
-PixelAspectText = Annotated[
-    str,
-    typer.Option(
-        "--pixel-aspect",
-        metavar="auto|RATIO",
-        help="Width of the pictures' pixels over their height, such as 1.778; auto: what"
-        " the video or the dataset says, else estimated from nearly square pictures.",
-    ),
-]
 Mirrored = Annotated[
     bool,
     typer.Option(
@@ -427,7 +418,15 @@ class FieldOptions:
 class PictureFieldOptions(FieldOptions):
     """The same of pictures that may be squeezed."""
 
-    pixel_aspect: PixelAspectText = AUTO_ASPECT
+    pixel_aspect: Annotated[
+        str,
+        typer.Option(
+            "--pixel-aspect",
+            metavar="auto|RATIO",
+            help="Width of the pictures' pixels over their height, such as 1.778; auto: what"
+            " the video or the dataset says, else estimated from nearly square pictures.",
+        ),
+    ] = AUTO_ASPECT
 
     def of(self, *datasets: Path | None) -> Field:
         """The field, its pixels as the option states them; see `chosen_field`."""

@@ -75,61 +75,56 @@ EXAMPLE = """\
 # Below this many pictures starting processes costs more than it saves.
 _WORTH_WORKERS = 8
 
-Out = Annotated[Path, typer.Argument(help="Folder to write the cameras to.")]
-Known = Annotated[
-    Path | None,
-    typer.Option(
-        "--known-positions",
-        metavar="CAMERAS",
-        help="Where cameras stand: a folder, zip or file of cameras, or positions.csv.",
-    ),
-]
-With = Annotated[
-    str | None,
-    typer.Option(
-        "--detector",
-        metavar="NAME",
-        help="A detector that is installed: its cameras or points are judged among the others.",
-    ),
-]
-SureFrom = Annotated[
-    float,
-    typer.Option(
-        "--sure-from",
-        min=POSSIBLE_FROM,
-        max=1.0,
-        metavar="P",
-        help="Probability of being right from which on a camera is sure.",
-    ),
-]
-All = Annotated[bool, typer.Option("--all", help="Also frames that are annotated.")]
-Workers = Annotated[
-    int | None,
-    typer.Option(
-        "--workers",
-        min=1,
-        metavar="N",
-        help=f"Processes that share the work.  [default: 1; from {_WORTH_WORKERS} frames one a"
-        " CPU]",
-    ),
-]
-
 
 @dataclass(frozen=True, kw_only=True)
 class ProposeOptions:
     """Options of `propose`."""
 
     dataset: options.PicturesOrVideo
-    out: Out
-    known: Known = None
-    every_frame: All = False
+    out: Annotated[Path, typer.Argument(help="Folder to write the cameras to.")]
+    known: Annotated[
+        Path | None,
+        typer.Option(
+            "--known-positions",
+            metavar="CAMERAS",
+            help="Where cameras stand: a folder, zip or file of cameras, or positions.csv.",
+        ),
+    ] = None
+    every_frame: Annotated[bool, typer.Option("--all", help="Also frames that are annotated.")] = (
+        False
+    )
     every: options.Every = 1
-    detector: With = None
-    sure_from: SureFrom = SURE_FROM
+    detector: Annotated[
+        str | None,
+        typer.Option(
+            "--detector",
+            metavar="NAME",
+            help="A detector that is installed: its cameras or points are judged among the others.",
+        ),
+    ] = None
+    sure_from: Annotated[
+        float,
+        typer.Option(
+            "--sure-from",
+            min=POSSIBLE_FROM,
+            max=1.0,
+            metavar="P",
+            help="Probability of being right from which on a camera is sure.",
+        ),
+    ] = SURE_FROM
     annotations: input_files.Annotations = None
     field_options: options.PictureFieldOptions
     camera_format: options.CameraFormat = "auto"
-    workers: Workers = None
+    workers: Annotated[
+        int | None,
+        typer.Option(
+            "--workers",
+            min=1,
+            metavar="N",
+            help=f"Processes that share the work.  [default: 1; from {_WORTH_WORKERS} frames one a"
+            " CPU]",
+        ),
+    ] = None
     dask: options.Dask = None
     resume: options.Resume = False
     overwrite: options.Overwrite = False

@@ -47,20 +47,18 @@ EXAMPLE = """\
 """
 
 
-Out = Annotated[
-    Path, typer.Option("--output", "-o", metavar="FILE.toml", help="The file that is written.")
-]
-Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace the file if it is there.")]
-
-
 def propose_map(
     annotations: options.AnnotatedSet,
     cameras: input_files.Cameras = None,
-    output: Out = Path(LABELS_FILE),
+    output: Annotated[
+        Path, typer.Option("--output", "-o", metavar="FILE.toml", help="The file that is written.")
+    ] = Path(LABELS_FILE),
     field: options.FieldName = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
-    overwrite: Overwrite = False,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the file if it is there.")
+    ] = False,
 ) -> None:
     if output.exists() and not overwrite:
         raise UsageError(f"{output}: exists already, choose another name or ask to overwrite it")

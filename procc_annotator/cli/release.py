@@ -75,36 +75,6 @@ EXAMPLE = """\
 _AGREEMENT_TAU = 5.0
 _SPLIT = re.compile(r"[\w][\w .\-]{0,60}")
 
-Name = Annotated[str | None, typer.Option(metavar="TEXT", help="Of the dataset.")]
-Version = Annotated[str, typer.Option("--version", metavar="X.Y.Z", help="Of this release.")]
-Licence = Annotated[
-    str, typer.Option("--licence", "--license", metavar="ID", help="Such as CC-BY-4.0, or a URL.")
-]
-By = Annotated[
-    list[str] | None, typer.Option("--creator", metavar="NAME", help="Who made it; repeat.")
-]
-Url = Annotated[str, typer.Option(metavar="URL", help="Where it is found.")]
-Description = Annotated[str, typer.Option(metavar="TEXT", help="A paragraph for the card.")]
-Citation = Annotated[Path | None, typer.Option(metavar="FILE.bib", help="How it is cited.")]
-Splits = Annotated[
-    Path | None,
-    typer.Option(
-        metavar="FILE.csv", help="Columns 'frame' and 'split'; frames in none are left out."
-    ),
-]
-Second = Annotated[
-    Path | None,
-    typer.Option(
-        "--second-annotator", metavar="DIR", help="Annotations of the same frames by somebody else."
-    ),
-]
-Before = Annotated[
-    Path | None, typer.Option("--previous", metavar="DIR", help="The release before.")
-]
-Pictures = Annotated[bool, typer.Option("--pictures/--no-pictures", help="Pass pictures on.")]
-Check = Annotated[bool, typer.Option("--check/--no-check", help="Run the label check.")]
-Date = Annotated[str | None, typer.Option(metavar="YYYY-MM-DD", help="Of the release; today's.")]
-
 
 @dataclass(frozen=True)
 class ReleaseOptions:
@@ -112,21 +82,48 @@ class ReleaseOptions:
 
     dataset: options.AnnotatedSet
     out: Annotated[Path, typer.Argument(help="Folder or .zip to write.")]
-    name: Name = None
-    version: Version = "1.0.0"
-    licence: Licence = ""
-    by: By = None
-    url: Url = ""
-    description: Description = ""
-    citation: Citation = None
-    splits: Splits = None
-    second: Second = None
-    before: Before = None
-    pictures: Pictures = False
-    check: Check = True
+    name: Annotated[str | None, typer.Option(metavar="TEXT", help="Of the dataset.")] = None
+    version: Annotated[str, typer.Option("--version", metavar="X.Y.Z", help="Of this release.")] = (
+        "1.0.0"
+    )
+    licence: Annotated[
+        str,
+        typer.Option("--licence", "--license", metavar="ID", help="Such as CC-BY-4.0, or a URL."),
+    ] = ""
+    by: Annotated[
+        list[str] | None, typer.Option("--creator", metavar="NAME", help="Who made it; repeat.")
+    ] = None
+    url: Annotated[str, typer.Option(metavar="URL", help="Where it is found.")] = ""
+    description: Annotated[str, typer.Option(metavar="TEXT", help="A paragraph for the card.")] = ""
+    citation: Annotated[Path | None, typer.Option(metavar="FILE.bib", help="How it is cited.")] = (
+        None
+    )
+    splits: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.csv", help="Columns 'frame' and 'split'; frames in none are left out."
+        ),
+    ] = None
+    second: Annotated[
+        Path | None,
+        typer.Option(
+            "--second-annotator",
+            metavar="DIR",
+            help="Annotations of the same frames by somebody else.",
+        ),
+    ] = None
+    before: Annotated[
+        Path | None, typer.Option("--previous", metavar="DIR", help="The release before.")
+    ] = None
+    pictures: Annotated[
+        bool, typer.Option("--pictures/--no-pictures", help="Pass pictures on.")
+    ] = False
+    check: Annotated[bool, typer.Option("--check/--no-check", help="Run the label check.")] = True
     field: options.FieldName = None
     lines: options.Lines = None
-    date: Date = None
+    date: Annotated[
+        str | None, typer.Option(metavar="YYYY-MM-DD", help="Of the release; today's.")
+    ] = None
     overwrite: options.Overwrite = False
 
 

@@ -71,95 +71,88 @@ _NARROWEST, _WIDEST = 160, 4096
 _COMPARED_FRAME = 20  # scored frames that take as long
 
 
-Dataset = Annotated[
-    Path,
-    typer.Argument(
-        help="Folder of pictures and annotations, season, or folder or zip of annotations."
-    ),
-]
-Output = Annotated[
-    list[Path] | None,
-    typer.Option(
-        "--output",
-        "-o",
-        metavar="FILE",
-        help="A .html, .csv, .json or .tex file; repeat for several.  [default: report.html in the"
-        " current folder, unless a file there is another's]",
-    ),
-]
-Thresholds = Annotated[
-    list[float] | None,
-    typer.Option(
-        "--threshold",
-        "-t",
-        metavar="PX",
-        help="Thresholds, the leading one first: it decides colours, the worst frames and the"
-        " final score.  [default: 5, 2, 10]",
-    ),
-]
-Title = Annotated[str | None, typer.Option(help="At the head of the page.")]
-Date = Annotated[
-    str | None, typer.Option(metavar="TEXT", help="Printed on the page.  [default: today]")
-]
-Worst = Annotated[
-    int, typer.Option(min=0, max=1000, metavar="N", help="Worst frames to draw, a source.")
-]
-Random = Annotated[int, typer.Option(min=0, max=1000, metavar="N", help="Frames to draw by lot.")]
-Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the lot, and of sets drawn.")]
-By = Annotated[
-    list[str] | None,
-    typer.Option(
-        metavar="TAG|model|zoom|elements|spread|side|shot",
-        help="Break everything down by this tag, by the model of the cameras, zoom, number of"
-        " elements, how much of the picture they enclose, the camera's side or shot; zoom and"
-        " side are those of a pinhole fitted to each annotation; repeat."
-        "  [default: every tag of --tags]",
-    ),
-]
-Disagreement = Annotated[
-    list[str] | None,
-    typer.Option(
-        metavar="A,B",
-        help="Show where these two sources disagree, in metres on the ground; repeat.",
-    ),
-]
-Reference = Annotated[
-    str | None,
-    typer.Option(
-        metavar="NAME",
-        help="The source that the metrics of earlier papers (IoU and the like) take as true.",
-    ),
-]
-PictureWidth = Annotated[
-    int,
-    typer.Option(
-        min=_NARROWEST, max=_WIDEST, metavar="PX", help="Larger pictures are made as small as this."
-    ),
-]
-
-
 @dataclass(frozen=True, kw_only=True)
 class ReportOptions:
     """Options of `report`."""
 
-    dataset: Dataset
+    dataset: Annotated[
+        Path,
+        typer.Argument(
+            help="Folder of pictures and annotations, season, or folder or zip of annotations."
+        ),
+    ]
     cameras: options.Sources = None
-    output: Output = None
+    output: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="A .html, .csv, .json or .tex file; repeat for several.  [default: report.html in"
+            " the current folder, unless a file there is another's]",
+        ),
+    ] = None
     annotations: input_files.Annotations = None
-    threshold: Thresholds = None
+    threshold: Annotated[
+        list[float] | None,
+        typer.Option(
+            "--threshold",
+            "-t",
+            metavar="PX",
+            help="Thresholds, the leading one first: it decides colours, the worst frames and the"
+            " final score.  [default: 5, 2, 10]",
+        ),
+    ] = None
     scoring: options.ScoringOptions
     planar_only: options.PlanarOnly = False
     tags: inference_options.TagsFile = None
-    by: By = None
+    by: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="TAG|model|zoom|elements|spread|side|shot",
+            help="Break everything down by this tag, by the model of the cameras, zoom, number of"
+            " elements, how much of the picture they enclose, the camera's side or shot; zoom and"
+            " side are those of a pinhole fitted to each annotation; repeat."
+            "  [default: every tag of --tags]",
+        ),
+    ] = None
     chance: inference_options.IntervalOptions
-    title: Title = None
-    date: Date = None
-    worst: Worst = 4
-    random: Random = 3
-    seed: Seed = 1
-    disagreement: Disagreement = None
-    reference: Reference = None
-    picture_width: PictureWidth = 640
+    title: Annotated[str | None, typer.Option(help="At the head of the page.")] = None
+    date: Annotated[
+        str | None, typer.Option(metavar="TEXT", help="Printed on the page.  [default: today]")
+    ] = None
+    worst: Annotated[
+        int, typer.Option(min=0, max=1000, metavar="N", help="Worst frames to draw, a source.")
+    ] = 4
+    random: Annotated[
+        int, typer.Option(min=0, max=1000, metavar="N", help="Frames to draw by lot.")
+    ] = 3
+    seed: Annotated[
+        int, typer.Option(min=0, metavar="N", help="Of the lot, and of sets drawn.")
+    ] = 1
+    disagreement: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="A,B",
+            help="Show where these two sources disagree, in metres on the ground; repeat.",
+        ),
+    ] = None
+    reference: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="The source that the metrics of earlier papers (IoU and the like) take as true.",
+        ),
+    ] = None
+    picture_width: Annotated[
+        int,
+        typer.Option(
+            min=_NARROWEST,
+            max=_WIDEST,
+            metavar="PX",
+            help="Larger pictures are made as small as this.",
+        ),
+    ] = 640
     manifest: ManifestFile = None
     steady: inference_options.OverTime = False
     shots: inference_options.Shots = None

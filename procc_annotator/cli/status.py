@@ -33,18 +33,22 @@ EXAMPLE = """\
   procc-annotator status tracked/ --price 0.05 --output status.html
 """
 
-Out = Annotated[Path, typer.Argument(help="Folder that track writes to.")]
-Price = Annotated[
-    float | None,
-    typer.Option(min=0.0, metavar="COST", help="Of an hour of work in one process, for the costs."),
-]
-Output = Annotated[
-    list[Path] | None,
-    typer.Option("--output", "-o", metavar="FILE", help="Write .html, .csv or .json; repeatable."),
-]
 
-
-def status(out: Out, price: Price = None, output: Output = None) -> None:
+def status(
+    out: Annotated[Path, typer.Argument(help="Folder that track writes to.")],
+    price: Annotated[
+        float | None,
+        typer.Option(
+            min=0.0, metavar="COST", help="Of an hour of work in one process, for the costs."
+        ),
+    ] = None,
+    output: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Write .html, .csv or .json; repeatable."
+        ),
+    ] = None,
+) -> None:
     files = outputs.output_files(output, status_kind)
     out = working_folder(out)
     if not (out / STORE_FILE).exists():
