@@ -191,6 +191,13 @@ def set_text_size(application: QApplication, percent: float) -> None:
     text_times.cache_clear()
 
 
+def running_application() -> QApplication:
+    """Return the application that the window belongs to."""
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    return application
+
+
 @lru_cache(maxsize=1)  # asked with every paint
 def text_times() -> float:
     """Return how large texts are, of what the system says; 1 where no one chose."""

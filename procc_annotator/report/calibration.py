@@ -6,15 +6,14 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
 from natsort import natsorted
 
-from procc_annotator.batch.calibration import Calibrated
+from procc_annotator.batch.calibration import Calibrated, CalibrationRun
+from procc_annotator.batch.joint_calibration import JointRun
 from procc_annotator.batch.scoring import passed
 from procc_annotator.calibration.result import PoseStandardDeviations
-from procc_annotator.dataset.picture_sizes import SizesUsed
 from procc_annotator.formats.cameras.fit_record import (
     COLUMNS,
     DIGEST,
@@ -57,24 +56,6 @@ _FAILURES_SHOWN = 20
 Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
 
 
-class Run(Protocol):
-    """A set that is being calibrated: results, and what they come to at the end."""
-
-    counted: int
-    with_camera: int
-    sizes: SizesUsed
-
-    @property
-    def thresholds(self) -> tuple[float, ...]: ...
-    @property
-    def total(self) -> int: ...
-    @property
-    def names(self) -> tuple[str, ...]: ...
-    def __iter__(self) -> Iterator[Calibrated]: ...
-    def summary(self) -> dict[float, SetSummary]: ...
-    def describe(self) -> str: ...
-
-
 @dataclass
 class CalibrationReport:
     """Summary of a calibrated set.
@@ -109,7 +90,7 @@ class CalibrationReport:
 
 
 def calibrate_set(
-    run: Run,
+    run: CalibrationRun | JointRun,
     out: Path,
     progress: Progress,
     more: Mapping[str, bytes] | None = None,

@@ -81,14 +81,14 @@ def settle(plotted: Plotted, qtbot: QtBot) -> None:
 
 def click_at(page: TimelinePage, x: float) -> None:
     """A mouse click on the plot where its axis says x."""
-    item = page.plots[0]
+    item = page.item
     low, high = item.vb.viewRange()[1]
     at = page.view.mapFromScene(item.vb.mapViewToScene(QPointF(x, (low + high) / 2)))
     QTest.mouseClick(page.view.viewport(), Qt.MouseButton.LeftButton, pos=at)
 
 
 def hover_at(page: TimelinePage, x: float) -> None:
-    item = page.plots[0]
+    item = page.item
     page.view.scene().sigMouseMoved.emit(item.vb.mapViewToScene(QPointF(x, 0.5)))
 
 
@@ -260,7 +260,7 @@ class TestErrors:
         page.factor.setCurrentIndex(page.factor.findData(10))
         settle(plotted, qtbot)
         arrows = plotted.plots._data.arrows[1]
-        curve = page.items[0]._made["arrows", 1]
+        curve = page.items._made["arrows", 1]
         xs, ys = curve.getData()
         tips = np.stack([xs[1::6], ys[1::6]], axis=1)
         assert tips == pytest.approx(arrows.at_px + 10 * arrows.vectors_px, abs=1e-3)

@@ -148,36 +148,24 @@ def may_be_points(value: object) -> bool:
     )
 
 
+def _point_error(path: str, place: str, problem: str) -> AnnotationError:
+    return AnnotationError(path, problem, place=place, advice="correct or remove the point")
+
+
 def _point(value: Any, path: str, place: str) -> Point:
     if type(value) is not dict:
-        raise AnnotationError(
-            path,
-            f'expected a point {{"x": .., "y": ..}}, found {json_kind(value)}',
-            place=place,
-            advice="correct or remove the point",
-        )
+        problem = f'expected a point {{"x": .., "y": ..}}, found {json_kind(value)}'
+        raise _point_error(path, place, problem)
     for axis in ("x", "y"):
         if axis not in value:
-            raise AnnotationError(
-                path,
-                f"the coordinate {axis!r} is missing, expected a number",
-                place=place,
-                advice="correct or remove the point",
-            )
-        if not is_finite_number(value[axis]):
-            raise AnnotationError(
-                path,
-                f"expected a finite number, found {json_repr(value[axis])}",
-                place=f"{place}.{axis}",
-                advice="correct or remove the point",
-            )
-        if abs(value[axis]) > MAX_COORDINATE:
-            raise AnnotationError(
-                path,
-                f"expected a normalised coordinate, 0 to 1 in the picture, found {value[axis]:g}",
-                place=f"{place}.{axis}",
-                advice="correct or remove the point",
-            )
+            problem = f"the coordinate {axis!r} is missing, expected a number"
+            raise _point_error(path, place, problem)
+        at, number = f"{place}.{axis}", value[axis]
+        if not is_finite_number(number):
+            raise _point_error(path, at, f"expected a finite number, found {json_repr(number)}")
+        if abs(number) > MAX_COORDINATE:
+            problem = f"expected a normalised coordinate, 0 to 1 in the picture, found {number:g}"
+            raise _point_error(path, at, problem)
     if len(value) == 2:
         return Point(value["x"], value["y"])
     rest = tuple((k, v) for k, v in value.items() if k not in ("x", "y"))

@@ -23,6 +23,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.gui.canvas.editor import Editor
 from procc_annotator.gui.canvas.view import PictureView
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.theme import running_application
 from procc_annotator.interaction.gestures import ARROWS, Modifiers, Position
 from procc_annotator.interaction.palette import HALO, OUTLINE
 from procc_annotator.translation import tr, word
@@ -104,9 +105,7 @@ class HeldKeys(QObject):
         self._picture = picture
         self._down: set[Qt.Key] = set()
         picture.installEventFilter(self)
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._follow)
+        running_application().focusChanged.connect(self._follow)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent):

@@ -31,7 +31,7 @@ from procc_annotator.gui.panels.widgets import (
 from procc_annotator.gui.settings import CALLED, OFFERED, RECENT, SWITCHES, Settings
 from procc_annotator.gui.state.prediction.live_fit import MODELS
 from procc_annotator.gui.state.services import Services
-from procc_annotator.gui.theme import muted
+from procc_annotator.gui.theme import muted, running_application
 from procc_annotator.gui.window.menus import Actions, in_menu
 from procc_annotator.gui.window.welcome import described
 from procc_annotator.gui.window.workspaces import TITLES
@@ -299,9 +299,7 @@ class CommandPalette(QFrame):
         self.hint = make_label(tr(_HINT), faint=True)
         vbox(self.search, self.list, self.hint, of=self, margins=_PAD)
         window.installEventFilter(self)
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._follow)
+        running_application().focusChanged.connect(self._follow)
         self.hide()
 
     def ask(self, found: Callable[[str, Sequence[str]], list[Entry]] | None = None) -> None:

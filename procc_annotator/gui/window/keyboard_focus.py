@@ -34,6 +34,7 @@ from procc_annotator.gui.canvas.canvas_keys import beside_picture, typed_into
 from procc_annotator.gui.keymap import element_keys, keys_by_place
 from procc_annotator.gui.panels.widgets import LEFT_BY_ESCAPE
 from procc_annotator.gui.state.services import Services
+from procc_annotator.gui.theme import running_application
 
 _WIDTH = 2
 _MOVES = (QEvent.Type.Move, QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide)
@@ -48,9 +49,7 @@ class FocusRing(QObject):
         self._window = window
         self.widget: QWidget | None = None
         self._ring: _Ring | None = None
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._follow)
+        running_application().focusChanged.connect(self._follow)
 
     @property
     def shown(self) -> bool:
@@ -140,9 +139,7 @@ class FocusReturn(QObject):
         super().__init__(canvas)
         self._canvas = canvas
         self._former: float | str = ""  # what was in the box when it got the keyboard
-        application = QApplication.instance()
-        assert isinstance(application, QApplication)
-        application.focusChanged.connect(self._follow)
+        running_application().focusChanged.connect(self._follow)
 
     def _follow(self, old: QWidget | None, new: QWidget | None) -> None:
         picture = self._canvas

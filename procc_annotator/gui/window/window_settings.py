@@ -9,7 +9,6 @@ from typing import Any
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
-    QApplication,
     QCheckBox,
     QComboBox,
     QDialog,
@@ -51,7 +50,7 @@ from procc_annotator.gui.settings import (
 )
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.store import When
-from procc_annotator.gui.theme import bold, set_text_size, set_theme
+from procc_annotator.gui.theme import bold, running_application, set_text_size, set_theme
 from procc_annotator.gui.window.workspaces import Workspaces
 from procc_annotator.translation import tr
 
@@ -73,7 +72,7 @@ class BoundSettings:
         self._applied: dict[str, Callable[[Any], object]] = {
             rows.AUTHOR.key: lambda name: services.set_author(name or default_author()),
             rows.KEYS.key: lambda keymap: services.store.update(keymap=keymap),
-            rows.THEME.key: partial(set_theme, _application()),
+            rows.THEME.key: partial(set_theme, running_application()),
         }
         # A program that is killed loses no choice, least of all blind mode.
         store = services.store
@@ -147,14 +146,8 @@ def _bound(
 def apply_appearance(settings: Settings) -> None:
     """Have the application look as it is remembered, before anything of it is made."""
     if (theme := settings.get(rows.THEME)) != rows.THEME.default:
-        set_theme(_application(), theme)
-    set_text_size(_application(), settings.get(rows.FONT_PERCENT))
-
-
-def _application() -> QApplication:
-    application = QApplication.instance()
-    assert isinstance(application, QApplication)
-    return application
+        set_theme(running_application(), theme)
+    set_text_size(running_application(), settings.get(rows.FONT_PERCENT))
 
 
 _SIZE = QSize(1440, 900)

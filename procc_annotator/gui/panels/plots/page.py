@@ -385,12 +385,16 @@ class PlotPage(QWidget, Generic[D]):
 
     Class attributes:
         title: its name in the list of plots, marked by ``word``.
+        axes: what is along the horizontal and the vertical one.
+        movable: whether the mouse moves and zooms what is shown.
         scopes: which choices of frames make sense.
         by_class: whether one class can be chosen.
         follows_tau: whether the data (not only a mark) depends on tau.
     """
 
     name = title = ""
+    axes = "", ""
+    movable = True
     scopes: tuple[Scope, ...] = ("frame", "set")
     by_class = False
     follows_tau = False
@@ -415,11 +419,11 @@ class PlotPage(QWidget, Generic[D]):
         self.view.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.view.ci.layout.setContentsMargins(0, 9, 12, 0)  # figures at the ends of axes
         self.sharpness: float | None = None  # px of the device a logical one; None: the screen's
-        self.plots: list[Any] = []
-        self.items: list[Items] = []
         self._pages = Pages(self.view, f"{self.name}_empty")
         self.empty = self._pages.empty
         vbox((self._pages, 1), of=self, margins=0)
+        self.item = self._make_axes()
+        self.items = Items(self.item)
 
     # --- to be given by each page ---------------------------------------------------------
 
@@ -454,40 +458,30 @@ class PlotPage(QWidget, Generic[D]):
         """Return whether there is nothing but words."""
         return self._pages.currentWidget() is self.empty
 
-    def add_plot(self, row: int, bottom: str, left: str, *, movable: bool = True) -> Any:
-        """A set of axes with labels."""
-        item = self.view.addPlot(row=row, col=0, enableMenu=False)  # a third of its time to make
+    def _make_axes(self) -> Any:
+        item = self.view.addPlot(enableMenu=False)  # a third of its time to make
         item.hideButtons()
-        item.setMouseEnabled(x=movable, y=movable)
-        item.setLabel("left", left)
-        item.setLabel("bottom", bottom)
+        item.setMouseEnabled(x=self.movable, y=self.movable)
+        item.setLabel("bottom", tr(self.axes[0]))
+        item.setLabel("left", tr(self.axes[1]))
         item.showGrid(x=True, y=True, alpha=0.18)
         for side in ("left", "bottom"):
             item.getAxis(side).enableAutoSIPrefix(False)
             item.getAxis(side).setStyle(
                 tickFont=self.font(), tickLength=-4, hideOverlappingLabels=False
             )
-        if not self.plots:
-            self.view.scene().sigMouseMoved.connect(self._hover)
-        self.plots.append(item)
-        self.items.append(Items(item))
+        self.view.scene().sigMouseMoved.connect(self._hover)
         self._dress_axes(item)
         return item
 
     def _hover(self, at: QPointF) -> None:
-        box = self.plots[0].vb
+        box = self.item.vb
         inside = box.sceneBoundingRect().contains(at)
         self.readout.emit(self.read(float(box.mapSceneToView(at).x())) if inside else "")
 
-    def dots(
-        self,
-        kind: str,
-        source: PlottedSource,
-        *,
-        size: float,
-    ) -> Any:
+    def dots(self, kind: str, source: PlottedSource, *, size: float) -> Any:
         """Dots with the symbol of a source; they have no data yet."""
-        item = self.items[0].take(kind, source.number, self.pg.ScatterPlotItem)
+        item = self.items.take(kind, source.number, self.pg.ScatterPlotItem)
         item.setSymbol(symbol_of(source), update=False)
         item.setSize(size, update=False)
         item.setPen(None, update=False)
@@ -501,7 +495,7 @@ class PlotPage(QWidget, Generic[D]):
         known = np.isfinite(low) & np.isfinite(high)
         if not known.any():
             return
-        band = self.items[0].take("band", source.number, self.pg.PlotCurveItem)
+        band = self.items.take("band", source.number, self.pg.PlotCurveItem)
         around = np.concatenate((x[known], x[known][::-1]))
         edges = np.concatenate((low[known], high[known][::-1]))
         fill = self.pg.mkBrush(self.colour(source, 0.15))
@@ -522,9 +516,8 @@ class PlotPage(QWidget, Generic[D]):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "plots"):
-            for item in self.plots:
-                self._dress_axes(item)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "items"):
+            self._dress_axes(self.item)
             self.restyle()
             self.changed.emit()
 

@@ -60,10 +60,11 @@ class TauPage(PlotPage[JacCurves]):
 
     name = "plot_tau"
     title = word("JaC over tau")
+    axes = word("tau (px)"), "JaC"
+    movable = False
 
     def __init__(self, services: Services) -> None:
         super().__init__(services)
-        self.item = self.add_plot(0, tr("tau (px)"), "JaC", movable=False)
         self.item.setXRange(0, MAX_TAU, padding=0.01)
         self.item.setYRange(0, 1, padding=0.04)
         self.line = self.pg.InfiniteLine(angle=90, movable=True, bounds=(MIN_TAU, MAX_TAU))
@@ -86,15 +87,14 @@ class TauPage(PlotPage[JacCurves]):
 
     def draw(self, data: JacCurves, request: PlotRequest) -> str:
         self.shown = data, request
-        items = self.items[0]
-        items.start()
+        self.items.start()
         for source, own in zip(request.sources, data.bands, strict=False):
             self.shade(source, TAU_GRID, own.band.low, own.band.high)
         for source, curve, count in zip(request.sources, data.curves, data.frames, strict=True):
             if count:
-                line = items.take("curve", source.number, self.pg.PlotCurveItem)
+                line = self.items.take("curve", source.number, self.pg.PlotCurveItem)
                 line.setData(TAU_GRID, curve, pen=self.pen(source))
-        items.finish()
+        self.items.finish()
         self.mark(request)
         self._pages.explain("" if any(data.frames) else request.why_nothing(_nothing(request)))
         said = []
@@ -146,12 +146,12 @@ class TimelinePage(PlotPage[tuple[FloatArray, ...]]):
 
     name = "plot_timeline"
     title = word("JaC over the frames")
+    axes = word("frame"), "JaC"
     scopes: tuple[Scope, ...] = ("set",)
     follows_tau = True
 
     def __init__(self, services: Services) -> None:
         super().__init__(services)
-        self.item = self.add_plot(0, tr("frame"), "JaC")
         self.item.setMouseEnabled(x=True, y=False)
         self.item.disableAutoRange()
         self.item.setYRange(0, 1, padding=0.06)
@@ -170,14 +170,13 @@ class TimelinePage(PlotPage[tuple[FloatArray, ...]]):
         return tuple(timeline(request.frames, s.audits, request.tau) for s in request.sources)
 
     def draw(self, data: tuple[FloatArray, ...], request: PlotRequest) -> str:
-        items = self.items[0]
-        items.start()
+        self.items.start()
         self._lines = []
         for source, values in zip(request.sources, data, strict=True):
-            line = items.take("line", source.number, self.pg.PlotDataItem)
+            line = self.items.take("line", source.number, self.pg.PlotDataItem)
             marks = self.dots("marks", source, size=8)
             self._lines.append((source, values, line, marks))
-        items.finish()
+        self.items.finish()
         if request.frames != self._frames:
             self._frames = request.frames
             count = len(request.frames)
@@ -313,11 +312,9 @@ class HistogramPage(PlotPage[ErrorBars]):
 
     name = "plot_histogram"
     title = word("Errors, as a histogram")
+    axes = word("reprojection error (px)"), word("points")
+    movable = False
     by_class = True
-
-    def __init__(self, services: Services) -> None:
-        super().__init__(services)
-        self.item = self.add_plot(0, tr("reprojection error (px)"), tr("points"), movable=False)
 
     @staticmethod
     def compute(request: PlotRequest) -> ErrorBars:
@@ -326,13 +323,12 @@ class HistogramPage(PlotPage[ErrorBars]):
 
     def draw(self, data: ErrorBars, request: PlotRequest) -> str:
         self.shown = data, request
-        items = self.items[0]
-        items.start()
+        self.items.start()
         edges = data.bars.edges
         several = len(request.sources) > 1
         for source, counts in zip(request.sources, data.bars.counts, strict=True):
             if counts.any():
-                steps = items.take("bars", source.number, self.pg.PlotCurveItem)
+                steps = self.items.take("bars", source.number, self.pg.PlotCurveItem)
                 steps.setData(
                     np.asarray(edges, dtype=float),
                     np.asarray(counts, dtype=float),
@@ -341,7 +337,7 @@ class HistogramPage(PlotPage[ErrorBars]):
                     brush=self.pg.mkBrush(self.colour(source, 0.12 if several else 0.35)),
                     pen=self.pen(source),
                 )
-        items.finish()
+        self.items.finish()
         highest = max((int(c.max()) for c in data.bars.counts if len(c)), default=0)
         self.item.setXRange(0, float(edges[-1]), padding=0.01)
         self.item.setYRange(0, max(highest, 1) * 1.05, padding=0)
@@ -458,11 +454,11 @@ class VectorsPage(PlotPage[Vectors]):
 
     name = "plot_vectors"
     title = word("Residuals over the picture")
+    axes = "x (px)", "y (px)"
     by_class = True
 
     def __init__(self, services: Services) -> None:
         super().__init__(services)
-        self.item = self.add_plot(0, "x (px)", "y (px)")
         self.item.setAspectLocked(True)
         self.item.invertY(True)
         self.item.showGrid(x=False, y=False)
@@ -488,7 +484,7 @@ class VectorsPage(PlotPage[Vectors]):
         return Vectors(points, tuple(cell_arrows(p, request.size) for p in points))
 
     def draw(self, data: Vectors, request: PlotRequest) -> str:
-        self.items[0].start()
+        self.items.start()
         width, height = request.size
         x = [-0.5, width - 0.5, width - 0.5, -0.5, -0.5]
         y = [-0.5, -0.5, height - 0.5, height - 0.5, -0.5]
@@ -496,7 +492,7 @@ class VectorsPage(PlotPage[Vectors]):
         factor = self.factor.currentData() or automatic_factor(data.arrows, width)
         for source, arrows in zip(request.sources, data.arrows, strict=True):
             self._draw_arrows(source, arrows, factor)
-        self.items[0].finish()
+        self.items.finish()
         if self._framed != request.size:
             self._framed = request.size
             self.item.setRange(xRange=(0, width), yRange=(0, height), padding=0.02)
@@ -522,7 +518,7 @@ class VectorsPage(PlotPage[Vectors]):
 
     def _draw_arrows(self, source: PlottedSource, arrows: Arrows, factor: float) -> None:
         lines = arrow_lines(arrows.at_px, arrows.vectors_px * factor)
-        curve = self.items[0].take("arrows", source.number, self.pg.PlotCurveItem)
+        curve = self.items.take("arrows", source.number, self.pg.PlotCurveItem)
         # Arrows are too short for dashes; their feet have the source's symbol.
         pen = self.pg.mkPen(self.colour(source), width=1.4)
         curve.setData(lines[:, 0], lines[:, 1], connect="pairs", pen=pen, antialias=True)
