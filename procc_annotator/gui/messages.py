@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from procc_annotator.dataset.frames import Frame
-from procc_annotator.gui.state.availability import no_frame
+from procc_annotator.gui.state.availability import as_sentence, no_frame
 from procc_annotator.gui.state.background import JobControl, run_in_background
 from procc_annotator.gui.state.messages import Message
 from procc_annotator.gui.state.services import Services
@@ -95,8 +95,7 @@ class Bar(QWidget):
         self.setObjectName(name)
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.follow_theme()
-        self.label = QLabel()
-        self.label.setWordWrap(True)
+        self.label = QLabel(wordWrap=True)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self.row = QHBoxLayout(self)
@@ -272,6 +271,12 @@ def ask_done_only(parent: QWidget, unfinished: int, total: int) -> bool | None:
     text = tr("{n:,} of {total:,} frames are not done.", n=unfinished, total=total)
     answer = _ask(parent, text, "", tr("Cancel"), tr("Export all"), tr("Done only"))
     return answer > 1 if answer else None
+
+
+def ask_to_unlock(parent: QWidget, reason: str, lost: str) -> bool:
+    """Unlock blind mode, whose reason is given?"""
+    answers, icon = (tr("Keep it locked"), tr("Unlock, and record it")), QMessageBox.Icon.Warning
+    return _ask(parent, as_sentence(reason), lost, *answers, icon=icon) > 0
 
 
 def ask_to_leave_unsaved(parent: QWidget, problems: list[str]) -> bool:

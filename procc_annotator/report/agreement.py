@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from string import ascii_uppercase
 from typing import Any
@@ -15,6 +15,7 @@ from procc_annotator.batch.agreement import (
     ConsensusRun,
     agreement_inference,
 )
+from procc_annotator.batch.execution.executor import Progress
 from procc_annotator.batch.grouping import Clusters, clusters_of
 from procc_annotator.errors import UsageError
 from procc_annotator.messages import pluralize
@@ -198,7 +199,6 @@ def _half(interval: Interval | None, times: float) -> float | None:
 LONE = (("added", "missed"), ("only_a", "only_b"))  # of several annotators, of two
 
 ClustersOf = Callable[[Sequence[str]], Clusters]
-Progress = Callable[[Iterable[ConsensusResult], int, str], Iterator[ConsensusResult]]
 
 
 @dataclass(frozen=True)
@@ -240,7 +240,7 @@ class AgreementReport:
 def compare_annotators(
     run: ConsensusRun,
     clusters: ClustersOf = lambda frames: clusters_of(frames, None, {}),
-    progress: Progress = lambda items, _total, _what: iter(items),
+    progress: Progress[ConsensusResult] = lambda items, _total, _what: iter(items),
 ) -> AgreementReport:
     """Compare annotators' files.
 

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.auto_annotation import AnnotatedPicture, AnnotationRun
+from procc_annotator.batch.execution.executor import Progress
 from procc_annotator.dataset.database.database import WorkspaceDatabase
 from procc_annotator.dataset.frames import Frame
 from procc_annotator.dataset.records import OriginKind, default_author, new_origins
 from procc_annotator.errors import ChangedOnDiskError
 from procc_annotator.formats.annotations.soccernet import write_annotation
 from procc_annotator.formats.atomic import make_folder, write_atomic
-
-Progress = Callable[[Iterable[AnnotatedPicture], int, str], Iterable[AnnotatedPicture]]
 
 
 @dataclass
@@ -47,7 +46,7 @@ def annotate_pictures(
     run: AnnotationRun,
     frames: Sequence[Frame],
     datasets: Mapping[Path, bool],
-    progress: Progress,
+    progress: Progress[AnnotatedPicture],
     done: Annotated,
 ) -> None:
     """Write what a run finds as it comes: each file at once and whole, never over another one.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -11,6 +11,7 @@ import numpy as np
 from natsort import natsorted
 
 from procc_annotator.batch.calibration import Calibrated, CalibrationRun
+from procc_annotator.batch.execution.executor import Progress
 from procc_annotator.batch.joint_calibration import JointRun
 from procc_annotator.batch.scoring import passed
 from procc_annotator.calibration.result import PoseStandardDeviations
@@ -53,8 +54,6 @@ def deviation_values(deviations: PoseStandardDeviations | None) -> tuple[float |
 
 _FAILURES_SHOWN = 20
 
-Progress = Callable[[Iterable[Calibrated], int, str], Iterable[Calibrated]]
-
 
 @dataclass
 class CalibrationReport:
@@ -92,7 +91,7 @@ class CalibrationReport:
 def calibrate_set(
     run: CalibrationRun | JointRun,
     out: Path,
-    progress: Progress,
+    progress: Progress[Calibrated],
     more: Mapping[str, bytes] | None = None,
     *,
     hold_out: bool = False,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from procc_annotator.batch.calibration import camera_file
 from procc_annotator.batch.camera_proposals import ProposalRun, Proposed, second_pass
+from procc_annotator.batch.execution.executor import Progress
 from procc_annotator.batch.tracking import pack
 from procc_annotator.calibration.single_image.proposal import (
     NONE,
@@ -57,8 +58,6 @@ _COLUMNS = (
 )
 _SHOWN = 20
 
-Progress = Callable[[Iterable[Proposed], int, str], Iterable[Proposed]]  # items, number, a word
-
 
 @dataclass
 class ProposedSet:
@@ -79,7 +78,7 @@ class ProposedSet:
 
 
 def propose_for_set(
-    run: ProposalRun, out: Path, progress: Progress, *, packed: Path | None = None
+    run: ProposalRun, out: Path, progress: Progress[Proposed], *, packed: Path | None = None
 ) -> ProposedSet:
     """Look at all pictures of a set, once more at those without a sure camera where the others
     agree where it stands, and write cameras and table.

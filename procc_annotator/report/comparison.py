@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, astuple, dataclass, field, fields
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,7 @@ from procc_annotator.batch.comparison import (
     metrics_with_intervals,
     worst_frames,
 )
+from procc_annotator.batch.execution.executor import Progress
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.errors import ImageError, InputError, UsageError
 from procc_annotator.field.load import field_for_frame
@@ -58,8 +59,6 @@ _COLUMNS = (
     metric_column(metrics.WITHIN), Column("compared_share", kind="number"),
     *(Column(name, kind="number") for name in _LEGACY), Column("error"),
 )  # fmt: skip
-
-Progress = Callable[[Iterable[ComparedFrame], int, str], Iterator[ComparedFrame]]
 
 
 @dataclass(frozen=True)
@@ -104,7 +103,8 @@ class ComparisonReport:
 
 
 def compare_sources(
-    comparison: ComparisonRun, progress: Progress = lambda items, _total, _what: iter(items)
+    comparison: ComparisonRun,
+    progress: Progress[ComparedFrame] = lambda items, _total, _what: iter(items),
 ) -> ComparisonReport:
     """Compare every frame. `UsageError` for a source without ground, or no frame whose cameras can
     be read."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from procc_annotator.batch.execution.executor import Progress
 from procc_annotator.batch.label_check import Checked, CheckRun
 from procc_annotator.calibration.label_check.finding import Finding, RemedyKind, Rule, Severity
 from procc_annotator.calibration.optimization.robust_fit import MIN_ELEMENTS
@@ -27,8 +28,6 @@ UNREADABLE = "unreadable"
 NO_CAMERA = "no camera"
 _SHOWN = 20
 _SUFFIXES = (".csv", ".json")
-
-Progress = Callable[[Iterable[Checked], int, str], Iterable[Checked]]  # items, number, a word
 
 
 class ReportedFinding(NamedTuple):
@@ -104,7 +103,7 @@ def check_findings_suffix(path: Path) -> None:
 
 def check_set(
     run: CheckRun,
-    progress: Progress,
+    progress: Progress[Checked],
     *,
     outputs: Sequence[Path] = (),
     least: Severity = Severity.HINT,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from procc_annotator.batch.agreement import AgreementRun, ConsensusResult, agreement_inference
+from procc_annotator.batch.execution.executor import Progress
 from procc_annotator.batch.grouping import Clusters
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.metrics.agreement import FrameAgreement, sorted_quantile
@@ -27,8 +28,6 @@ from procc_annotator.report.tables.table import (
 )
 
 _COUNTS = (metrics.COMMON, metrics.APART, metrics.ADDED, metrics.MISSED, metrics.LEFT_OUT)
-
-Progress = Callable[[Iterable[ConsensusResult], int, str], Iterable[ConsensusResult]]
 
 
 @dataclass
@@ -54,7 +53,7 @@ class AgainstReference:
         place: Path,
         run: AgreementRun,
         clusters_of: Callable[[Sequence[str]], Clusters],
-        progress: Progress,
+        progress: Progress[ConsensusResult],
     ) -> None:
         """Compare an annotator with the reference, which is the second of the run's sources."""
         results = list(progress(run, run.total, "comparing"))

@@ -422,13 +422,13 @@ class TestAccepting:
         assert "Middle line" in services.state.annotation.annotated  # left as it was: edited since
 
     def test_nothing_is_accepted_once_blind_mode_is_on(self, window, video, qtbot, monkeypatch):
-        going, look = Event(), shot_accepting._look
+        going, look = Event(), shot_accepting._annotate_followed
 
         def slow(*args: Any) -> Any:
             going.wait(60)
             return look(*args)
 
-        monkeypatch.setattr(shot_accepting, "_look", slow)
+        monkeypatch.setattr(shot_accepting, "_annotate_followed", slow)
         follow(window, qtbot)
         press(window, Key.Key_Return, CTRL | SHIFT)
         assert window.stretch_accepting.running

@@ -58,10 +58,10 @@ def press(window: MainWindow, key: Qt.Key, modifiers: Any = Qt.KeyboardModifier.
 def look_finds(monkeypatch: pytest.MonkeyPatch, *indices: int) -> None:
     """Paint is seen in these frames."""
 
-    def look(_: Any, chosen: Any, __: Any) -> dict[int, FrameAnnotation]:
-        return {index: LINE for index in indices if index in chosen}
+    def look(_: Any, __: Any, fits: Any, ___: Any) -> dict[int, FrameAnnotation]:
+        return {index: LINE for index in indices if index in fits}
 
-    monkeypatch.setattr(shot_accepting, "_look", look)
+    monkeypatch.setattr(shot_accepting, "_annotate_followed", look)
 
 
 def accept(window: MainWindow, qtbot: QtBot) -> None:

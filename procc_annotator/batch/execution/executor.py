@@ -17,6 +17,8 @@ from procc_annotator.errors import ProccError, UsageError
 C = TypeVar("C")
 R = TypeVar("R")
 
+Progress = Callable[[Iterable[R], int, str], Iterator[R]]  # items, number, a word
+
 # Starting a process costs about half a second: below this many scored frames one is as fast as
 # many.
 WORTH_WORKERS = 2000

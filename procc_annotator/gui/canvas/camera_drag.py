@@ -99,7 +99,7 @@ class CameraDrag(QObject):
         elif self._grabbed is not None:
             words = [tr("drag moves this peg"), tr("click takes it away")]
         elif self._under is not None:
-            title = tr(self._services.state.field.title_of(self._under.name))
+            title = self._services.state.title_of(self._under.name)
             words = [tr("drag {title} to where it belongs: the camera follows", title=title)]
         else:
             drag = tr("drag a place of the wireframe to where it belongs")
@@ -397,5 +397,5 @@ class CameraDrag(QObject):
         if self._grabbed is not None:
             return self._grabbed.px, tr("peg")
         if self._under is not None:
-            return self._under.px, tr(self._services.state.field.title_of(self._under.name))
+            return self._under.px, self._services.state.title_of(self._under.name)
         return None

@@ -326,13 +326,13 @@ class OverlayDrawing(QObject):
         unsure = foresight.stands_in and bool(foresight.doubt)
         found, label = None, ""
         if current is not None:
-            found, title = ghosts.found(current.name), tr(state.field.title_of(current.name))
+            found, title = ghosts.found(current.name), state.title_of(current.name)
             label = f"{title}  ±{current.sd_px:.1f} px"
             if unsure:
                 label = tr("{title}  ±{sd:.1f} px  unsure", title=title, sd=current.sd_px)
         upcoming = ""
         if (best := ghosts.suggestion) is not None and current is None:
-            upcoming = tr("next: {title}", title=tr(state.field.title_of(best.name)))
+            upcoming = tr("next: {title}", title=state.title_of(best.name))
         painted = tuple(ghosts.painted)
         return self._ghosts(painted, current, label, found, unsure, size, at, upcoming)
 

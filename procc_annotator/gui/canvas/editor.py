@@ -275,7 +275,7 @@ class Editor(QObject):
         self._do(reaction)
         if reaction.handled:
             return
-        title = tr(services.state.field.title_of(name)) if name is not None else ""
+        title = services.state.title_of(name) if name is not None else ""
         services.say(why_not_deleted(title, dropped), "info")
 
     def finish(self) -> None:
@@ -330,7 +330,7 @@ class Editor(QObject):
             services.selection.select_class(
                 None
             )  # the same key again must not mean the whole element
-        titles = ", ".join(tr(services.state.field.title_of(name)) for name in changed)
+        titles = ", ".join(services.state.title_of(name) for name in changed)
         text = tr("{titles}: changed elsewhere, look again first", titles=titles)
         services.say(text, "info")
         return False
@@ -374,7 +374,7 @@ class Editor(QObject):
         self._commit(edit)
         if not keep_selection:
             self._services.selection.select_class(name)
-        title = tr(self._services.state.field.title_of(name))
+        title = self._services.state.title_of(name)
         kept = tr_count(
             count,
             "kept {n} click of {title} on {frame}, unfinished: choose it there to go on",

@@ -33,13 +33,20 @@ def dialog_buttons(
     return buttons, does
 
 
-class TaskDialog(QDialog):
-    """Shows the progress of the work that it asked for, and its outcome."""
+class NamedDialog(QDialog):
+    """A dialog with an object name and a title."""
 
-    def __init__(self, parent: QWidget, name: str, title: str) -> None:
+    def __init__(self, parent: QWidget | None, name: str, title: str) -> None:
         super().__init__(parent)
         self.setObjectName(name)
         self.setWindowTitle(title)
+
+
+class TaskDialog(NamedDialog):
+    """Shows the progress of the work that it asked for, and its outcome."""
+
+    def __init__(self, parent: QWidget, name: str, title: str) -> None:
+        super().__init__(parent, name, title)
         self.bar = QProgressBar(self)
         self.bar.hide()
         self.note = note_label(f"{name}_note")

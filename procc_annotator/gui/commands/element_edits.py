@@ -66,10 +66,10 @@ class ElementEdits:
         old, partners = self._selected(), self.symmetric_classes()
         if old is None:
             return
-        services = self._services
+        services, title_of = self._services, self._services.state.title_of
         polyline = self._touched(old).get(old)
         if not partners or polyline is None:
-            services.say(tr("{element} is its own symmetric element", element=self._title(old)))
+            services.say(tr("{element} is its own symmetric element", element=title_of(old)))
             return
         new = next((name for name in partners if services.state.annotation.get(name) is None), None)
         if new is None:
@@ -78,7 +78,7 @@ class ElementEdits:
                     len(partners),
                     "{elements} is annotated already",
                     "{elements} are annotated already",
-                    elements=", ".join(map(self._title, partners)),
+                    elements=", ".join(map(title_of, partners)),
                 )
             )
             return
@@ -90,8 +90,8 @@ class ElementEdits:
             services.say(
                 tr(
                     "{element} lies where {other} is: drag it to its place",
-                    element=self._title(new),
-                    other=self._title(old),
+                    element=title_of(new),
+                    other=title_of(old),
                 )
             )
 
@@ -216,9 +216,6 @@ class ElementEdits:
         """The annotation with this element confirmed, if it was not."""
         return editing.confirm(self._services.state.annotation, class_name)
 
-    def _title(self, class_name: str) -> str:
-        return tr(self._services.state.field.title_of(class_name))
-
     def _step(self, words: str, **elements: str) -> str:
         """The name of a step of undo: what ``word`` marked, with elements by their classes."""
         title_of = self._services.state.field.title_of
@@ -240,7 +237,7 @@ class ElementEdits:
             touched = editing.confirm(annotation, names[0])
             for name, polyline in zip(names, seen, strict=True):
                 if touched.get(name) != polyline:
-                    title = self._title(name)
+                    title = self._services.state.title_of(name)
                     raise UsageError(
                         tr("{element} was changed elsewhere: look at it again", element=title)
                     )
@@ -368,7 +365,7 @@ class Naming(QObject):
     def _name(self, class_name: str, name: str) -> None:
         services = self._services
         state = services.state
-        drawn, title = state.annotation.get(class_name), tr(state.field.title_of(name))
+        drawn, title = state.annotation.get(class_name), state.title_of(name)
         if state.selected_class != class_name or drawn is None:
             return
         if state.annotation.get(name) is not None:  # the two would be swapped

@@ -10,7 +10,6 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QDialog,
     QFileDialog,
     QFormLayout,
     QFrame,
@@ -28,7 +27,7 @@ from procc_annotator.assist.label_proposal import LabelProposal, order_choices, 
 from procc_annotator.field.model import Field
 from procc_annotator.formats.annotations.label_map import LABELS_FILE, Rule
 from procc_annotator.formats.annotations.registry import FORMATS, WRITTEN, AnnotationFormat
-from procc_annotator.gui.commands.dialogs import CLOSE, TaskDialog, dialog_buttons
+from procc_annotator.gui.commands.dialogs import CLOSE, NamedDialog, TaskDialog, dialog_buttons
 from procc_annotator.gui.panels import widgets
 from procc_annotator.translation import tr, tr_count, word
 
@@ -44,7 +43,7 @@ _SURETIES = {
 _LONGEST = 40  # characters of a label that are shown
 
 
-class LabelDialog(QDialog):
+class LabelDialog(NamedDialog):
     """One row a label: what it is proposed to stand for, how surely and why, to be changed."""
 
     def __init__(
@@ -63,9 +62,7 @@ class LabelDialog(QDialog):
             better: title of a field whose classes are called more like the labels; may be empty.
             has_file: whether the dataset has a ``labels.toml`` already.
         """
-        super().__init__(parent)
-        self.setObjectName("labelDialog")
-        self.setWindowTitle(tr("Names of another program"))
+        super().__init__(parent, "labelDialog", tr("Names of another program"))
         self._proposals = proposals
         self.choices: list[QComboBox] = []
         self._rules: list[tuple[Rule, ...]] = []
@@ -102,9 +99,8 @@ class LabelDialog(QDialog):
         inside = QWidget()
         grid = QGridLayout(inside)
         for column, header in enumerate(_HEADERS):
-            title = QLabel(f"<b>{tr(header)}</b>" if header else "")
-            title.setTextFormat(Qt.TextFormat.RichText)
-            grid.addWidget(title, 0, column)
+            title = f"<b>{tr(header)}</b>" if header else ""
+            grid.addWidget(QLabel(title, textFormat=Qt.TextFormat.RichText), 0, column)
         names = [e.name for e in field.elements]
         titles = [tr(field.title_of(name)) for name in names]
         self._titles = QStringListModel([tr(_AS_IT_IS), tr(_LEFT_OUT), *titles], self)
@@ -124,9 +120,8 @@ class LabelDialog(QDialog):
                 grid.addWidget(cell, row, column, Qt.AlignmentFlag.AlignVCenter)
         grid.setRowStretch(len(self._proposals) + 1, 1)
         grid.setColumnStretch(len(_HEADERS) - 1, 1)
-        area = QScrollArea()
+        area = QScrollArea(widgetResizable=True)
         area.setObjectName("labelTable")
-        area.setWidgetResizable(True)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(inside)
@@ -157,10 +152,7 @@ class LabelDialog(QDialog):
 
 
 def _text(text: str, tip: str = "") -> QLabel:
-    label = QLabel(text)
-    label.setTextFormat(Qt.TextFormat.PlainText)
-    label.setToolTip(tip)
-    return label
+    return widgets.named(QLabel(text, textFormat=Qt.TextFormat.PlainText), tip=tip)
 
 
 def _asked(count: int, field: Field) -> str:
@@ -290,13 +282,9 @@ class ExportDialog(_ExchangeDialog):
         self.formats = QComboBox()
         for known in WRITTEN:
             self.formats.addItem(known.title, known.name)
-        self.holds = QLabel(wordWrap=True)
-        self.holds.setTextFormat(Qt.TextFormat.PlainText)
-        self.line_width = widgets.DecimalBox()
-        self.line_width.setRange(1, _WIDEST_LINE)
-        self.line_width.setDecimals(1)
+        self.holds = QLabel(wordWrap=True, textFormat=Qt.TextFormat.PlainText)
+        self.line_width = widgets.DecimalBox(1, _WIDEST_LINE, 1.0, " px", decimals=1)
         self.line_width.setValue(4)
-        self.line_width.setSuffix(" px")
         self.as_zip = QCheckBox(tr("One zip archive instead of a folder"))
         self.overwrite = QCheckBox(tr("Replace files that are there"))
         self.keep_optional = QCheckBox(tr("Keep elements that SoccerNet has no class for"))

@@ -23,9 +23,8 @@ class FieldBar(Bar):
     def __init__(self) -> None:
         super().__init__("fieldBar")
         self.switch_button = QPushButton()
-        self.close_button = QToolButton()
+        self.close_button = QToolButton(autoRaise=True)
         self.close_button.setText("✕")
-        self.close_button.setAutoRaise(True)
         self.close_button.setToolTip(tr("Keep the field, and say nothing more of these classes"))
         self.no_button = QPushButton()
         self.no_button.setToolTip(tr("The dataset remembers it, and is not asked about again"))
@@ -124,8 +123,7 @@ class FieldChoosing(QObject):
     # --- inside ---
 
     def _action(self, title: str, source: str | Path) -> QAction:
-        action = QAction(title.replace("&", "&&"), self)
-        action.setCheckable(True)
+        action = QAction(title.replace("&", "&&"), self, checkable=True)
         action.setData(source)
         action.triggered.connect(lambda: self._choose(source))
         self._group.addAction(action)

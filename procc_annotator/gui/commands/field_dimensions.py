@@ -99,8 +99,7 @@ class FieldDimensionsDialog(TaskDialog):
             box.valueChanged.connect(self._changed)
             box.refused.connect(partial(self._tell_rule, dimension))
             box.lineEdit().textEdited.connect(lambda _, d=dimension: self._tell_rule(d))
-            rule = self.rules[dimension.name] = QLabel()
-            rule.setTextFormat(Qt.TextFormat.RichText)
+            rule = self.rules[dimension.name] = QLabel(textFormat=Qt.TextFormat.RichText)
             self._tell_rule(dimension)
             form.addRow(f"{tr(dimension.title)}:", hbox(box, rule, None))
         widest = max((box.sizeHint().width() for box in self.boxes.values()), default=0)
@@ -230,12 +229,9 @@ def _within(dimension: Dimension) -> str:
 
 
 def _box(dimension: Dimension) -> RangeBox:
-    box = RangeBox()
+    least, most, step = dimension.minimum, dimension.maximum, _step(dimension)
+    box = RangeBox(least, most, step, " m", decimals=_decimals(dimension))
     box.setObjectName(f"dimension_{dimension.name}")
-    box.setDecimals(_decimals(dimension))
-    box.setSingleStep(_step(dimension))
-    box.setRange(dimension.minimum, dimension.maximum)
-    box.setSuffix(" m")
     box.setValue(dimension.value)
     box.setAccessibleName(tr(dimension.title))
     return box

@@ -74,7 +74,7 @@ class GhostAccepting(QObject):
 
     def accept_one(self, made_for: FrameAnalysis, found: GhostPoints) -> bool:
         """Make a ghost an element if the insight is still the one it was found for."""
-        title = self._title(found.name)
+        title = self._services.state.title_of(found.name)
         if outdated := self.why_outdated(made_for):
             self._say(tr("{element} is not accepted: {why}", element=title, why=outdated))
             return False
@@ -106,7 +106,7 @@ class GhostAccepting(QObject):
         elif found is not None:
             self.accept_one(made_for, found)
         elif self._find((ghost,), everything=False):
-            title = self._title(ghost.name)
+            title = self._services.state.title_of(ghost.name)
             self._say(tr("{element} is accepted once its points are found", element=title))
 
     def accept_all(self, then: Callable[[], None] = lambda: None) -> None:
@@ -133,7 +133,7 @@ class GhostAccepting(QObject):
         least = self.least_support
         done = accept_all(made_for.annotation, found, least)
         good, left = done.accepted, done.left
-        why = ", ".join(f"{self._title(f.name)} {f.support:.0%}" for f in left)
+        why = ", ".join(f"{self._services.state.title_of(f.name)} {f.support:.0%}" for f in left)
         if not good:
             self._say(
                 tr(
@@ -178,14 +178,14 @@ class GhostAccepting(QObject):
         self._say("; ".join(filter(None, (words, self._unsure(found), more))))
 
     def _unsure(self, found: AllPoints) -> str:
-        ends = sum(f.unsure_ends for f in found)
-        if not ends:
+        stopped = [f for f in found if f.unsure_ends]
+        if not stopped:
             return ""
         return tr_count(
-            ends,
+            sum(f.unsure_ends for f in stopped),
             "{n} end of {elements} cannot be seen: the points stop before",
             "{n} ends of {elements} cannot be seen: the points stop before",
-            elements=", ".join(self._title(f.name) for f in found if f.unsure_ends),
+            elements=", ".join(self._services.state.title_of(f.name) for f in stopped),
         )
 
     def why_outdated(self, made_for: FrameAnalysis) -> str:
@@ -279,7 +279,7 @@ class GhostAccepting(QObject):
             none = tr("no ghost was accepted: {why}", why=why) if why else ""
             self._services.say(none or tr("no ghost was accepted"), level)
             return
-        title = self._title(asked.ghosts[0].name)
+        title = self._services.state.title_of(asked.ghosts[0].name)
         one = tr("{element} is not accepted: {why}", element=title, why=why) if why else ""
         self._services.say(one or tr("{element} is not accepted", element=title), level)
 
@@ -293,9 +293,6 @@ class GhostAccepting(QObject):
         self.progressed.emit(0, 0)
 
     # --- inside ---------------------------------------------------------------------------
-
-    def _title(self, name: str) -> str:
-        return tr(self._said_title(name))
 
     def _said_title(self, name: str) -> TranslatableText:
         return translatable(self._services.state.field.title_of(name))

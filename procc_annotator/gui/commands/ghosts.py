@@ -271,7 +271,7 @@ class GhostCommands(QObject):
 
     def set_not_visible(self, name: str, hidden: bool) -> None:
         """Say that an element cannot be seen in this frame, or that it can after all."""
-        services, title = self._services, self._title(name)
+        services, title = self._services, self._services.state.title_of(name)
         if services.state.frame is None or not services.editing.begin_edit():
             return  # somebody else has the frame, or nobody can edit it: that is said
         if hidden and name in services.state.annotation.annotated:  # maybe only since just now
@@ -299,11 +299,6 @@ class GhostCommands(QObject):
             return ()
         marks = database.is_marked_not_visible(frame.name)
         return tuple(sorted(marks, key=lambda name: marks[name].time))
-
-    # --- inside ---------------------------------------------------------------------------
-
-    def _title(self, name: str) -> str:
-        return tr(self._services.state.field.title_of(name))
 
 
 def _passed_end(left: int, *, last: bool) -> str:

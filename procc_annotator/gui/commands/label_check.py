@@ -129,7 +129,7 @@ class LabelCheckCommands(QObject):
     def _named(self, elements: tuple[str, ...]) -> str:
         if len(elements) > _MOST_NAMED:
             return tr_count(len(elements), "{n} element", "{n} elements")
-        titles = [self._title(name) for name in elements]
+        titles = [self._services.state.title_of(name) for name in elements]
         if len(titles) == _MOST_NAMED:
             return tr("{element} and {other}", element=titles[0], other=titles[1])
         return "".join(titles)
@@ -258,7 +258,7 @@ class LabelCheckCommands(QObject):
         """Show a finding no more, as long as the points of its elements stay as they are."""
         self._passed.add(found.key)
         self._check.known.ignore(frame, found.key)
-        titles = ", ".join(map(self._title, found.finding.elements))
+        titles = ", ".join(map(self._services.state.title_of, found.finding.elements))
         self._services.say(
             tr("ignored until {elements} changes; the Check panel brings it back", elements=titles)
         )
@@ -332,8 +332,3 @@ class LabelCheckCommands(QObject):
                 path=path,
             )
         )
-
-    # --- inside ---------------------------------------------------------------------------
-
-    def _title(self, class_name: str) -> str:
-        return tr(self._services.state.field.title_of(class_name))

@@ -13,7 +13,6 @@ from typing import TypeVar
 import msgspec
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import (
-    QDialog,
     QDialogButtonBox,
     QFileDialog,
     QFormLayout,
@@ -32,7 +31,7 @@ from procc_annotator.dataset.sequence import keep_frame, open_video
 from procc_annotator.errors import FieldError, ProccError
 from procc_annotator.field.load import field_names, field_titles, load_field
 from procc_annotator.field.model import Field
-from procc_annotator.gui.commands.dialogs import dialog_buttons
+from procc_annotator.gui.commands.dialogs import NamedDialog, dialog_buttons
 from procc_annotator.gui.commands.season import SeasonTask
 from procc_annotator.gui.messages import write
 from procc_annotator.gui.panels.widgets import DecimalBox, choice
@@ -62,15 +61,13 @@ T = TypeVar("T")
 _PATIENCE_MS = 400
 
 
-class VideoDialog(QDialog):
+class VideoDialog(NamedDialog):
     """Every so many seconds, or one frame for each scene; and which field the video shows."""
 
     def __init__(self, parent: QWidget, video: Video, shown: Field, *, decided: bool) -> None:
         """Show the field as far as known; if ``decided`` a file in the dataset's folder says so,
         and no other can be chosen."""
-        super().__init__(parent)
-        self.setObjectName("videoDialog")
-        self.setWindowTitle(tr("Open a video"))
+        super().__init__(parent, "videoDialog", tr("Open a video"))
         width, height = video.size
         seconds = video.frame_count / video.fps if video.fps else 0.0
         frames = tr_count(video.frame_count, "{n:,} frame", "{n:,} frames")
@@ -78,10 +75,7 @@ class VideoDialog(QDialog):
         text = "\n".join(filter(None, (text, video.cut_off, video.squeezed)))
         self.interval = QRadioButton(tr("One frame every"))
         self.interval.setChecked(True)
-        self.seconds = DecimalBox()
-        self.seconds.setRange(0.02, 3600.0)
-        self.seconds.setDecimals(2)
-        self.seconds.setSuffix(" s")
+        self.seconds = DecimalBox(0.02, 3600.0, 1.0, " s")
         self.cuts = QRadioButton(tr("The first frame of every scene"))
         self.cuts.setToolTip(tr("Looks through the whole video for cuts; this takes a while"))
         self.cuts.toggled.connect(lambda on: self.seconds.setEnabled(not on))

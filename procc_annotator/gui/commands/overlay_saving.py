@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.errors import ProccError
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.gui.canvas.overlay_picture import OverlayPictures
-from procc_annotator.gui.commands.dialogs import dialog_buttons
+from procc_annotator.gui.commands.dialogs import NamedDialog, dialog_buttons
 from procc_annotator.gui.messages import ask_where, write
 from procc_annotator.gui.panels.widgets import DecimalBox
 from procc_annotator.gui.state.services import Services
@@ -41,20 +41,16 @@ _RESULT = word("{width} x {height} px, without the legend")
 _TOO_LARGE = word("{width} x {height} px, too large: choose a smaller scale or SVG")
 
 
-class OverlayDialog(QDialog):
+class OverlayDialog(NamedDialog):
     """Asks for the kind, the scale and the legend of a picture (width, height), px."""
 
     def __init__(self, size: tuple[int, int], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName("overlayDialog")
-        self.setWindowTitle(tr("Save overlay picture"))
+        super().__init__(parent, "overlayDialog", tr("Save overlay picture"))
         self._size = size
         self.kind = QComboBox()
         for suffix in SUFFIXES:
             self.kind.addItem(tr(_KINDS[suffix]), suffix)
-        self.scale = DecimalBox()
-        self.scale.setRange(MIN_SCALE, MAX_SCALE)
-        self.scale.setSingleStep(0.5)
+        self.scale = DecimalBox(MIN_SCALE, MAX_SCALE, 0.5)
         self.scale.setValue(1.0)
         self.scale.setToolTip(
             tr("Px of the result per px of the picture; lines and text grow with it")

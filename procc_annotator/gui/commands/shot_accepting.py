@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
+from typing import TypeVar
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -43,67 +44,47 @@ _ALL_ANNOTATED = word("every frame is annotated")
 _BLIND = word("blind mode: nothing is accepted that was not clicked")
 
 
-@dataclass(frozen=True, eq=False)
-class _Stretch:
-    """The frames that are meant, as they were when a person asked.
-
-    Attributes:
-        sequence: of all frames.
-        indices: of these.
-        tracked: number -> what is known of its camera.
-        annotated: indices of frames that are left as they are.
-        revealed: names of the frames whose cameras may be used; None: all.
-        not_visible: the classes that cannot be seen in a frame; for any thread.
-        least: how much of a line is to be seen.
-    """
-
-    sequence: FrameSequence
-    indices: range
-    tracked: Mapping[int, TrackedFrame]
-    annotated: Collection[int]
-    frames: Sequence[Frame]
-    revealed: Collection[str] | None
-    not_visible: Callable[[str], frozenset[str]]
-    field: Field
-    least: float
-
-    @property
-    def numbers(self) -> Sequence[int]:
-        """Return the numbers of the frames."""
-        own: list[int] = self.sequence.numbers[self.indices.start : self.indices.stop].tolist()
-        return own
-
-    def followed(self) -> Iterator[tuple[int, TrackedFrame]]:
-        """Index and camera of the frames that have a camera and no annotation."""
-        numbers = self.sequence.numbers
-        for index in self.indices:
-            frame = self.tracked.get(int(numbers[index]))
-            if index in self.annotated or frame is None or frame.fit is None:
-                continue
-            if self.revealed is None or self.frames[index].name in self.revealed:
-                yield index, frame
+T = TypeVar("T")
+Unsure = dict[int, float]  # index of a frame -> probability that its camera is right
+Found = dict[int, FrameAnnotation]  # index of a frame -> what it is to hold
 
 
 @dataclass(frozen=True, eq=False)
 class _Dataset:
-    """The frames of a dataset without annotation.
+    """The frames of a dataset, as they were when a person asked.
 
     Attributes:
-        indices: of these in ``frames``.
-        tracked: index -> the camera of a sure tracked frame.
-        not_visible, least: as of `_Stretch`.
+        not_visible: the classes that cannot be seen in a frame; for any thread.
+        least: how much of a line is to be seen.
     """
 
     frames: Sequence[Frame]
-    indices: Sequence[int]
-    tracked: Mapping[int, FitResult]
-    not_visible: Callable[[str], frozenset[str]]
     field: Field
+    not_visible: Callable[[str], frozenset[str]]
     least: float
 
-
-Unsure = dict[int, float]  # index of a frame -> probability that its camera is right
-Found = dict[int, FrameAnnotation]  # index of a frame -> what it is to hold
+    def annotated(
+        self,
+        fits: Mapping[int, FitResult],
+        picture_of: Callable[[int], PixelArray],
+        progress: Callable[[int], object],
+    ) -> Found:
+        """In a thread: the elements whose paint is seen where cameras, by index, show them."""
+        found = Found()
+        for done, (index, fit) in enumerate(fits.items()):
+            progress(done)
+            try:
+                picture = picture_of(index)
+            except ImageError:
+                continue  # reported when that frame is opened
+            name, size = self.frames[index].name, (picture.shape[1], picture.shape[0])
+            field = field_for_frame(self.field, name)
+            ghosts = find_ghosts(_NOTHING, field, fit, without=self.not_visible(name))
+            points = [find_points(ghost, picture, field, size) for ghost in ghosts]
+            annotation = accept_all(_NOTHING, points, self.least).annotation
+            if annotation.annotated:
+                found[index] = annotation
+        return found
 
 
 class StretchAccepting(QObject):
@@ -160,11 +141,10 @@ class StretchAccepting(QObject):
         services = self._services
         if not self._may_begin():
             return
-        stretch = self._stretch()
-        if stretch is None or not any(n in stretch.tracked for n in stretch.numbers):
+        sequence, chosen = services.sequence.value, self._followed()
+        if sequence is None or chosen is None:
             services.say(tr(_NOT_FOLLOWED))
             return
-        chosen = dict(stretch.followed())
         doubts = {index: why for index, frame in chosen.items() if (why := review_reason(frame))}
         if not doubts or self._offered != doubts.keys():
             chosen = {index: frame for index, frame in chosen.items() if index not in doubts}
@@ -174,9 +154,8 @@ class StretchAccepting(QObject):
         if not chosen:
             services.say(_doubtful(list(doubts.values())) if doubts else tr(_NONE_LEFT))
             return
-        self._far = (0, 0)
-        self._looking.start(partial(_look, stretch, chosen), self._take, progress=self._advance)
-        self.changed.emit()
+        fits = {index: frame.fit for index, frame in chosen.items() if frame.fit is not None}
+        self._look(partial(_annotate_followed, self._dataset(), sequence, fits), self._take)
 
     def accept_sure(self) -> None:
         """Annotate every frame of the dataset that has a sure camera, of the track or found in its
@@ -199,15 +178,7 @@ class StretchAccepting(QObject):
             for number, one in shot_track.tracked.items()
             if number in index_of and one.fit is not None and not review_reason(one)
         }
-        state, not_visible = services.state, services.review.not_visible
-        dataset = _Dataset(
-            workspace.frames, indices, tracked, not_visible, state.field, self._least_support()
-        )
-        self._far = (0, 0)
-        self._looking.start(
-            partial(_annotate_sure, dataset), self._take_sure, progress=self._advance
-        )
-        self.changed.emit()
+        self._look(partial(_annotate_sure, self._dataset(), indices, tracked), self._take_sure)
 
     def _may_begin(self) -> bool:
         services = self._services
@@ -250,27 +221,41 @@ class StretchAccepting(QObject):
 
     # --- which frames -------------------------------------------------------------------------
 
-    def _stretch(self) -> _Stretch | None:
+    def _dataset(self) -> _Dataset:
+        services = self._services
+        workspace = services.state.workspace
+        assert workspace is not None
+        not_visible = services.review.not_visible
+        return _Dataset(workspace.frames, services.state.field, not_visible, self._least_support())
+
+    def _followed(self) -> dict[int, TrackedFrame] | None:
+        """Index and camera of the frames that are meant and not annotated; None where no frame of
+        these was followed."""
         services, sequence = self._services, self._services.sequence.value
         workspace, shot_track = services.state.workspace, self._services.shot_track
-        if sequence is None or workspace is None or not shot_track.tracked:
+        if sequence is None or workspace is None:
             return None
         here, marked = int(sequence.numbers[services.state.frame_index]), self.marked()
         meant = shot_track.shot_of(here) if marked is None else range(marked[0], marked[1] + 1)
         begin, end = np.searchsorted(sequence.numbers, (meant.start, meant.stop)).tolist()
-        return _Stretch(
-            sequence,
-            range(begin, end),
-            dict(shot_track.tracked),
-            services.annotated_frames.indices,
-            workspace.frames,
-            services.state.revealed_frames,
-            services.review.not_visible,
-            services.state.field,
-            self._least_support(),
-        )
+        numbers = enumerate(sequence.numbers[begin:end].tolist(), start=begin)
+        tracked = {i: shot_track.tracked[n] for i, n in numbers if n in shot_track.tracked}
+        annotated, revealed = services.annotated_frames.indices, services.state.revealed_frames
+        followed = {
+            index: frame
+            for index, frame in tracked.items()
+            if frame.fit is not None
+            and index not in annotated
+            and (revealed is None or workspace.frames[index].name in revealed)
+        }
+        return followed if tracked else None
 
     # --- points -------------------------------------------------------------------------------
+
+    def _look(self, work: Callable[[JobControl], T], then: Callable[[T], None]) -> None:
+        self._far = (0, 0)
+        self._looking.start(work, then, progress=self._advance)
+        self.changed.emit()
 
     def _advance(self, done: int, total: int) -> None:
         self._far = (done, total)
@@ -424,41 +409,36 @@ def _doubtful(reasons: list[str]) -> str:
     )
 
 
-def _look(stretch: _Stretch, chosen: Mapping[int, TrackedFrame], control: JobControl) -> Found:
-    """In a thread: what each frame is to hold, by index, of those where paint was seen."""
-    found = {}
-    with stretch.sequence.open_pictures() as pictures:
-        for done, (index, frame) in enumerate(chosen.items()):
-            control.progress_or_stop(done, len(chosen))
-            try:
-                picture = pictures(frame.number)
-            except ImageError:
-                continue  # reported when that frame is opened
-            assert frame.fit is not None
-            annotation = _annotated(picture, stretch, stretch.frames[index].name, frame.fit)
-            if annotation.annotated:
-                found[index] = annotation
-    return found
+def _annotate_followed(
+    dataset: _Dataset, sequence: FrameSequence, fits: Mapping[int, FitResult], control: JobControl
+) -> Found:
+    """In a thread: what frames of a track are to hold, by index."""
+    with sequence.open_pictures() as pictures:
+        return dataset.annotated(
+            fits,
+            lambda index: pictures(int(sequence.numbers[index])),
+            lambda done: control.progress_or_stop(done, len(fits)),
+        )
 
 
-def _annotated(
-    picture: PixelArray, stretch: _Stretch | _Dataset, name: str, fit: FitResult
-) -> FrameAnnotation:
-    """The elements whose paint is seen where a camera shows them."""
-    size, field = (picture.shape[1], picture.shape[0]), field_for_frame(stretch.field, name)
-    ghosts = find_ghosts(_NOTHING, field, fit, without=stretch.not_visible(name))
-    found = [find_points(ghost, picture, field, size) for ghost in ghosts]
-    return accept_all(_NOTHING, found, stretch.least).annotation
+def _annotate_sure(
+    dataset: _Dataset,
+    indices: Sequence[int],
+    tracked: Mapping[int, FitResult],
+    control: JobControl,
+) -> tuple[Found, Unsure]:
+    """In a thread: what each sure frame is to hold, and how sure the others are.
 
-
-def _annotate_sure(dataset: _Dataset, control: JobControl) -> tuple[Found, Unsure]:
-    """In a thread: what each sure frame is to hold, and how sure the others are."""
-    index_of = {dataset.frames[index].name: index for index in dataset.indices}
-    asked = [dataset.frames[index] for index in dataset.indices if index not in dataset.tracked]
-    steps = len(asked) + len(dataset.indices)  # each frame is searched, then annotated
+    Args:
+        indices: of the frames without annotation.
+        tracked: index -> the camera of a sure tracked frame.
+    """
+    index_of = {dataset.frames[index].name: index for index in indices}
+    asked = [dataset.frames[index] for index in indices if index not in tracked]
+    steps = len(asked) + len(indices)  # each frame is searched, then annotated
 
     def progress(done: int) -> None:
-        total = len(dataset.indices)
+        total = len(indices)
         control.progress_or_stop(done * total // steps, total)
 
     run, proposed = ProposalRun(asked, dataset.field, propose_camera), dict[str, Proposed]()
@@ -469,22 +449,18 @@ def _annotate_sure(dataset: _Dataset, control: JobControl) -> tuple[Found, Unsur
         for one in more.run:
             proposed[one.name] = more.better(one)
             control.raise_if_cancelled()
-    fits = dict(dataset.tracked)
+    fits = dict(tracked)
     unsure = Unsure()
     for name, one in proposed.items():
         if one.is_sure and one.proposal is not None:
             fits[index_of[name]] = one.proposal.fit
         else:
             unsure[index_of[name]] = 0.0 if one.proposal is None else one.proposal.probability
-    found = Found()
-    for done, index in enumerate(sorted(fits.keys() & set(dataset.indices))):
-        progress(len(asked) + done)
-        frame = dataset.frames[index]
-        try:
-            picture = decode_for_camera(frame.image_path)
-        except ImageError:
-            continue  # reported when that frame is opened
-        annotation = _annotated(picture, dataset, frame.name, fits[index])
-        if annotation.annotated:
-            found[index] = annotation
-    return found, unsure
+    return (
+        dataset.annotated(
+            {index: fits[index] for index in sorted(fits.keys() & set(indices))},
+            lambda index: decode_for_camera(dataset.frames[index].image_path),
+            lambda done: progress(len(asked) + done),
+        ),
+        unsure,
+    )

@@ -27,7 +27,7 @@ from procc_annotator.errors import CameraError
 from procc_annotator.field.load import field_for_frame, field_for_stadium, stadium_of
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
-from procc_annotator.gui.state.background import JobControl, LatestOnlyTask, Stopped
+from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
 from procc_annotator.gui.state.services import Services
 from procc_annotator.translation import tr, tr_count, word
 
@@ -277,10 +277,7 @@ def _followed(frames: int, doubtful: int) -> str:
 def _follow(asked: _Asked, control: JobControl) -> Track:
     """In a thread."""
     done, total = set[int](), 0  # frames, which may be followed more than once
-
-    def go_on() -> None:
-        if control.cancelled:
-            raise Stopped
+    go_on = control.raise_if_cancelled
 
     def on_frame(frame: TrackedFrame) -> None:
         done.add(frame.number)

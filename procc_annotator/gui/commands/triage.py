@@ -6,14 +6,14 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QInputDialog, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.triage import JudgedVerdict, judge_verdict
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.dataset.records import FAULT_WORDS, FaultParty, Verdict, place_by_name
 from procc_annotator.formats.atomic import write_atomic
-from procc_annotator.gui.messages import ask_where, opened_frame, write
+from procc_annotator.gui.messages import ask_to_unlock, ask_where, opened_frame, write
 from procc_annotator.gui.panels.scores import VerdictRow
 from procc_annotator.gui.state.availability import hidden, no_frame, no_source
 from procc_annotator.gui.state.background import JobControl
@@ -158,21 +158,9 @@ class Triage(QObject):
         lock.refused.emit()  # the action shows the present state
 
     def _confirmed(self, reason: str) -> bool:
-        shared = not self._services.review.reach
-        words = _UNLOCKS_SHARED if shared else _UNLOCKS_OWN
-        box = QMessageBox(self._window)
-        box.setObjectName("unlockBlind")
-        box.setIcon(QMessageBox.Icon.Warning)
-        box.setWindowTitle(tr("Unlock blind mode"))
-        box.setText(f"{reason[0].upper()}{reason[1:]}.")
-        box.setInformativeText(tr(words, author=self._services.state.author))
-        unlock = box.addButton(tr("Unlock, and record it"), QMessageBox.ButtonRole.AcceptRole)
-        keep = box.addButton(tr("Keep it locked"), QMessageBox.ButtonRole.RejectRole)
-        box.setDefaultButton(keep)
-        box.exec()
-        chosen = box.clickedButton() is unlock
-        box.deleteLater()
-        return chosen
+        words = _UNLOCKS_OWN if self._services.review.reach else _UNLOCKS_SHARED
+        lost = tr(words, author=self._services.state.author)
+        return ask_to_unlock(self._window, reason, lost)
 
     # --- inside ---------------------------------------------------------------------------
 

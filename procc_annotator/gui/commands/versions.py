@@ -10,7 +10,6 @@ from PySide6.QtCore import QAbstractListModel, QModelIndex, QSize, Qt
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import (
     QApplication,
-    QDialog,
     QListView,
     QWidget,
 )
@@ -22,7 +21,7 @@ from procc_annotator.dataset.workspace import restore_version
 from procc_annotator.errors import InputError, ProccError, SaveError, UsageError
 from procc_annotator.field.model import Field
 from procc_annotator.gui.canvas.annotation_preview import AnnotationPreview
-from procc_annotator.gui.commands.dialogs import CLOSE, dialog_buttons
+from procc_annotator.gui.commands.dialogs import CLOSE, NamedDialog, dialog_buttons
 from procc_annotator.gui.panels.element_states import class_title
 from procc_annotator.gui.panels.widgets import (
     Index,
@@ -46,7 +45,7 @@ _NO_VERSION = word("There is no earlier version of this frame.")
 _ROOT = QModelIndex()
 
 
-class VersionsDialog(QDialog):
+class VersionsDialog(NamedDialog):
     """Choose an earlier version; ``chosen_id`` is its id once the dialog was accepted."""
 
     def __init__(
@@ -69,9 +68,7 @@ class VersionsDialog(QDialog):
             size: (width, height) of the picture, px; counts when there is no picture.
             current: the annotation as it is now.
         """
-        super().__init__(parent)
-        self.setObjectName("versionsDialog")
-        self.setWindowTitle(tr("Earlier versions"))
+        super().__init__(parent, "versionsDialog", tr("Earlier versions"))
         self.chosen_id: str | None = None
         self._field = field
         self.model = VersionsModel(versions, preview, current)

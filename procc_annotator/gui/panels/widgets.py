@@ -531,9 +531,8 @@ def scrolling(content: ScrolledContent) -> QScrollArea:
     It asks for no room of its own, so a text that changes in it moves nothing outside: docks that
     share a column with others are laid out anew whenever one of them wants another size.
     """
-    area = QScrollArea()
+    area = QScrollArea(widgetResizable=True)
     area.setFrameShape(QFrame.Shape.NoFrame)
-    area.setWidgetResizable(True)
     area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
     area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     area.setWidget(content)
@@ -543,9 +542,12 @@ def scrolling(content: ScrolledContent) -> QScrollArea:
 class DecimalBox(QDoubleSpinBox):
     """Shows a decimal point, as all numbers of the window, and accepts a comma."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(
+        self, least: float, most: float, step: float, unit: str = "", *, decimals: int = 2
+    ) -> None:
+        super().__init__(suffix=unit, singleStep=step, decimals=decimals)
         self.setLocale(QLocale(QLocale.Language.C))
+        self.setRange(least, most)  # once the decimals are known: it is rounded to them
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
         return super().validate(text.replace(",", "."), position)
@@ -590,11 +592,7 @@ class RangeBox(DecimalBox):
 
 def range_box(least: float, most: float, step: float, unit: str, *, decimals: int = 1) -> RangeBox:
     """Make a box for a number; one out of range is refused next to it."""
-    box = RangeBox()
-    box.setDecimals(decimals)
-    box.setRange(least, most)
-    box.setSingleStep(step)
-    box.setSuffix(unit)
+    box = RangeBox(least, most, step, unit, decimals=decimals)
     box.setKeyboardTracking(False)
     box.refused.connect(box.tell_refused)
     return box

@@ -172,6 +172,10 @@ class State:
             else field_for_stadium(self.field, stadium_of(self.field, name))
         )
 
+    def title_of(self, class_name: str) -> str:
+        """Return what the field calls a class, in the language of the window."""
+        return tr(self.field.title_of(class_name))
+
     @property
     def selected_class(self) -> str | None:
         """The class of the element that is chosen."""

@@ -12,7 +12,6 @@ from PySide6.QtCore import QSize, Qt, Slot
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import (
     QComboBox,
-    QDialog,
     QDialogButtonBox,
     QFileDialog,
     QHBoxLayout,
@@ -29,6 +28,7 @@ from procc_annotator.field.model import Element, Field
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.file_source import read_file
 from procc_annotator.gui.actions import ACTIONS, MENUS, ActionSpec
+from procc_annotator.gui.commands.dialogs import NamedDialog
 from procc_annotator.gui.keymap import (
     GESTURES,
     NATIVE,
@@ -139,7 +139,7 @@ class KeyTable(QTableView):
         return row
 
 
-class KeySheet(QDialog):
+class KeySheet(NamedDialog):
     """All keys, with a search; a click on a row or Enter runs it, Esc closes the dialog."""
 
     def __init__(
@@ -149,10 +149,8 @@ class KeySheet(QDialog):
         call: Callable[[ActionSpec | Element], object],
         parent: QWidget,
     ) -> None:
-        super().__init__(parent)
+        super().__init__(parent, "keySheet", tr("Keys"))
         self._do = call
-        self.setObjectName("keySheet")
-        self.setWindowTitle(tr("Keys"))
         words = tr("Search: a word, or a key. A click does what a row says.")
         self.search = search_line(words, "keySearch", title=tr("Search the keys"))
         self.search.returnPressed.connect(self._call_only)
@@ -203,13 +201,11 @@ class KeySheet(QDialog):
         self.pages.explain("" if self.table.model().rowCount() else why)
 
 
-class KeymapDialog(QDialog):
+class KeymapDialog(NamedDialog):
     """Edits a copy; `keymap` holds what was chosen."""
 
     def __init__(self, field: Field, keymap: Keymap, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setObjectName("keymapDialog")
-        self.setWindowTitle(tr("Change keys"))
+        super().__init__(parent, "keymapDialog", tr("Change keys"))
         self.keymap = keymap
         self._field = field
         self._build()

@@ -11,7 +11,6 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
-    QDialog,
     QDialogButtonBox,
     QGridLayout,
     QLabel,
@@ -27,6 +26,7 @@ from PySide6.QtWidgets import (
 from procc_annotator.dataset.records import default_author
 from procc_annotator.gui import settings as rows
 from procc_annotator.gui.canvas.canvas import Canvas
+from procc_annotator.gui.commands.dialogs import NamedDialog
 from procc_annotator.gui.panels.widgets import (
     Pages,
     ScrolledContent,
@@ -282,15 +282,13 @@ class SettingRow(QWidget):
             self._changed()
 
 
-class SettingsDialog(QDialog):
+class SettingsDialog(NamedDialog):
     """Stays open next to the window; what is changed holds at once."""
 
     def __init__(
         self, options: BoundSettings, change_keys: Callable[[], object], parent: QWidget
     ) -> None:
-        super().__init__(parent)
-        self.setObjectName("settingsDialog")
-        self.setWindowTitle(tr("Settings"))
+        super().__init__(parent, "settingsDialog", tr("Settings"))
         self._options = options
         self.search = search_line(tr("Search the settings"), "settingsSearch", self._find)
         self.rows = [SettingRow(setting, options, self.refresh) for setting in OFFERED]

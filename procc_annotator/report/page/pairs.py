@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from procc_annotator.batch.comparison import (
     ComparisonSummary,
     worst_frames,
 )
-from procc_annotator.batch.execution.executor import Executor
+from procc_annotator.batch.execution.executor import Executor, Progress
 from procc_annotator.dataset.camera_set import CameraSet
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.field.model import Field
@@ -30,8 +30,6 @@ from procc_annotator.report.tables.table import (
     metric_column,
     metric_values,
 )
-
-Progress = Callable[[Iterable[ComparedFrame], int, str], Iterator[ComparedFrame]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,7 +72,7 @@ class Pairs:
         size: tuple[int, int],
         frames: Sequence[str],
         executor: Executor | None,
-        progress: Progress,
+        progress: Progress[ComparedFrame],
     ) -> None:
         self._sources = {source.name: source for source in sources}
         self._field, self._size = field, size

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -14,7 +14,7 @@ import numpy as np
 from procc_annotator.arrays import FloatArray
 from procc_annotator.batch.audit import FrameAudit, audit_frame
 from procc_annotator.batch.evaluation import run_evaluation
-from procc_annotator.batch.execution.executor import Executor
+from procc_annotator.batch.execution.executor import Executor, Progress
 from procc_annotator.batch.frame_sums import ClickNoise, FrameSums, SourceSums, frame_sums
 from procc_annotator.batch.inference import Inference
 from procc_annotator.batch.scoring import Evaluated, LeftOutMetrics
@@ -215,17 +215,13 @@ class AuditReport:
         return list(dict.fromkeys(lines))
 
 
-# Of frames, compared frames and pictures alike.
-Progress = Callable[[Iterable[Any], int, str], Iterator[Any]]  # items, number, a word
-
-
 @dataclass(frozen=True, slots=True)
 class ReportWork:
     """Means of evaluating frames: who shares the work (None: no one), who watches, and how points
     are moved where it is asked what clicks leave open."""
 
     executor: Executor | None = None
-    progress: Progress = lambda items, _total, _what: iter(items)
+    progress: Progress[Any] = lambda items, _total, _what: iter(items)
     noise: ClickNoise | None = None
 
 

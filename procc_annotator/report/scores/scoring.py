@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
 from functools import partial
@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import IO, Any
 
 from procc_annotator.batch.evaluation import EvaluationRun, GroupSummary, run_evaluation
-from procc_annotator.batch.execution.executor import Executor
+from procc_annotator.batch.execution.executor import Executor, Progress
 from procc_annotator.batch.frame_sums import FrameSums, SourceSums, frame_sums
 from procc_annotator.batch.grouping import MODEL, Grouping
 from procc_annotator.batch.scoring import Evaluated, LeftOutMetrics
@@ -89,7 +89,6 @@ class Scored:
 
 
 Step = tuple["_Scoring", EncodedFrame]
-Progress = Callable[[Iterable[Step], int, str], Iterator[Step]]  # items, number, a word
 
 
 def encode_frame(
@@ -164,7 +163,7 @@ class Evaluations:
         return sum(scoring.run.total for scoring in self._scorings)
 
     def score(
-        self, executor: Executor, progress: Progress, unwritten: dict[Path, ProccError]
+        self, executor: Executor, progress: Progress[Step], unwritten: dict[Path, ProccError]
     ) -> list[Scored]:
         """Do the work.
 

@@ -727,7 +727,7 @@ def test_unlocking_asks_and_is_recorded(fitted, monkeypatch):
     fitted.actions_["lock_blind"].trigger()
     assert services.state.blind
     assert fitted.actions_["lock_blind"].isChecked()
-    press(QMessageBox.ButtonRole.AcceptRole)
+    press(QMessageBox.ButtonRole.DestructiveRole)
     fitted.actions_["lock_blind"].trigger()
     assert not services.state.blind
     assert not fitted.actions_["lock_blind"].isChecked()

@@ -160,7 +160,7 @@ class Ghosts(QObject):
     @property
     def advice(self) -> str:
         """Return what to draw where no camera was found."""
-        titles = [tr(self._store.state.field.title_of(name)) for name in self.first_to_draw]
+        titles = [self._store.state.title_of(name) for name in self.first_to_draw]
         return tr("draw 3 elements, two of which meet, such as {names}", names=", ".join(titles))
 
     @property
@@ -265,7 +265,7 @@ class Ghosts(QObject):
     def _say_failed(self, text: str) -> None:
         asked = self._to_find()
         if asked is not None and isinstance(ghost := asked[0], Ghost):
-            title = tr(self._store.state.field.title_of(ghost.name))
+            title = self._store.state.title_of(ghost.name)
             said = tr("{title}: its line could not be looked for: {why}", title=title, why=text)
             say(self._store, said, "warning")
 
