@@ -41,8 +41,8 @@ class Camera(Protocol):
 
 
 def projects_only_ground(camera: object) -> bool:
-    """Return whether the model knows the plane z = 0 only; a homography has ``ground_only =
-    True``."""
+    """Return whether a model knows the plane z = 0 only, as a homography (``ground_only = True``);
+    False for None."""
     return bool(getattr(camera, "ground_only", False))
 
 

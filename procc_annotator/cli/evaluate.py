@@ -18,7 +18,6 @@ from procc_annotator.cli.console import with_progress
 from procc_annotator.cli.echo import echo
 from procc_annotator.cli.evaluation_plan import (
     Plan,
-    Submission,
     print_all,
     print_inference,
     report_problems,
@@ -78,7 +77,16 @@ class EvaluateOptions:
     sources: options.Sources = None
     threshold: options.Thresholds = None
     protocol: options.Protocol = "soccernet"
-    size: options.Sizes = None
+    size: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--size",
+            metavar="WxH",
+            callback=options.checked_size,
+            help="Picture size at which everything is compared; repeat for several."
+            "  [default: 960x540]",
+        ),
+    ] = None
     field_options: options.FieldOptions
     camera_format: options.CameraFormat = "auto"
     camera_size: options.CameraSize = None
@@ -96,16 +104,47 @@ class EvaluateOptions:
             " several.  [default: every tag of --tags]",
         ),
     ] = None
-    intervals: inference_options.Intervals = False
+    intervals: Annotated[
+        bool,
+        typer.Option(
+            "--intervals",
+            help="Also 95 % intervals of all figures and, of several sources, their differences on"
+            " the frames both have, with a permutation test, and ranks.",
+        ),
+    ] = False
     chance: inference_options.IntervalOptions
     seed: inference_options.Seed = inference_options.USUAL_SEED
-    submission: Submission = None
+    submission: Annotated[
+        Path | None,
+        typer.Option(
+            "--submission",
+            metavar="ZIP",
+            help="A submission of polylines in place of CAMERAS; one that was made for another"
+            " protocol, field, size or other frames is refused.",
+        ),
+    ] = None
     output: options.FigureFiles = None
     manifest: ManifestFile = None
     steady: inference_options.OverTime = False
     shots: inference_options.Shots = None
-    pictures: inference_options.Pictures = None
-    over_time_output: inference_options.OverTimeOutput = None
+    pictures: Annotated[
+        Path | None,
+        typer.Option(
+            "--pictures",
+            metavar="PATH",
+            help="Folder of the pictures or video of the set: cuts are found in it, and cameras"
+            " held against what moves in it.",
+        ),
+    ] = None
+    over_time_output: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--over-time-output",
+            metavar="FILE",
+            help="Write the figures over time: a .json of all, or a .csv with a row a frame; repeat"
+            " for both.",
+        ),
+    ] = None
     workers: options.Workers = None
     dask: options.Dask = None
 

@@ -6,9 +6,6 @@ from collections.abc import Collection, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated
-
-import typer
 
 from procc_annotator.batch.grouping import Grouping, Tags
 from procc_annotator.cli.console import stdout_console
@@ -47,16 +44,6 @@ from procc_annotator.report.scores.score_tables import (
     left_out_table,
 )
 from procc_annotator.report.scores.scoring import EvaluationRequest, Scored
-
-Submission = Annotated[
-    Path | None,
-    typer.Option(
-        "--submission",
-        metavar="ZIP",
-        help="A submission of polylines in place of CAMERAS; one that was made for another"
-        " protocol, field, size or other frames is refused.",
-    ),
-]
 
 
 def submitted_source(path: Path) -> str:

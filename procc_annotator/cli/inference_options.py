@@ -88,14 +88,6 @@ TagsFile = Annotated[
         " several).",
     ),
 ]
-Intervals = Annotated[
-    bool,
-    typer.Option(
-        "--intervals",
-        help="Also 95 % intervals of all figures and, of several sources, their differences on the"
-        " frames both have, with a permutation test, and ranks.",
-    ),
-]
 Cluster = Annotated[
     str | None,
     typer.Option(
@@ -122,24 +114,6 @@ Shots = Annotated[
         help="Which frames follow each other: columns 'frame', 'shot' and perhaps 'number'."
         "  [default: frames.csv of the dataset, the shots of tracked cameras, else by the names of"
         " the frames]",
-    ),
-]
-Pictures = Annotated[
-    Path | None,
-    typer.Option(
-        "--pictures",
-        metavar="PATH",
-        help="Folder of the pictures or video of the set: cuts are found in it, and cameras held"
-        " against what moves in it.",
-    ),
-]
-OverTimeOutput = Annotated[
-    list[Path] | None,
-    typer.Option(
-        "--over-time-output",
-        metavar="FILE",
-        help="Write the figures over time: a .json of all, or a .csv with a row a frame; repeat"
-        " for both.",
     ),
 ]
 

@@ -201,16 +201,6 @@ FitSize = Annotated[
         " of the picture beside the annotation; 960x540 without pictures]",
     ),
 ]
-Sizes = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--size",
-        metavar="WxH",
-        callback=checked_size,
-        help="Picture size at which everything is compared; repeat for several."
-        "  [default: 960x540]",
-    ),
-]
 FieldName = Annotated[
     str | None,
     typer.Option(

@@ -39,8 +39,6 @@ _NO_OTHER = word("no further frame this way: {what}")
 class ShotWalk(QObject):
     """Commands that go to frames; none of them waits for a picture."""
 
-    playingChanged = Signal(bool)
-
     def __init__(
         self,
         services: Services,
@@ -128,7 +126,6 @@ class ShotWalk(QObject):
         elif self._has_order():
             self._window.installEventFilter(self)
             self._at = self._services.state.frame_index
-            self.playingChanged.emit(True)
             self._play_on()
 
     def stop(self) -> None:
@@ -137,7 +134,6 @@ class ShotWalk(QObject):
             self._at = None
             self._clock.stop()
             self._window.removeEventFilter(self)
-            self.playingChanged.emit(False)
 
     def stay(self) -> None:
         """Stop, without a frame that is on its way still: something was chosen on this one."""

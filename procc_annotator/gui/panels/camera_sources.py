@@ -189,7 +189,7 @@ class SourceRow(QFrame):
             return tr("several models") if models else ""
         else:
             words = known.model
-        if camera is not None and projects_only_ground(camera):
+        if projects_only_ground(camera):
             words = tr("{model} (ground)", model=words)
         return tr("{model} here", model=words) if len(models) > 1 else words
 

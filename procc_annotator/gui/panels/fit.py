@@ -302,8 +302,7 @@ class FitPanel(Panel):
         weak = tr("<b>Hardly determined</b>: {what}", what=left_open) if left_open else ""
         show_note(self.weak, weak)
         show_note(self.chosen, _chosen_words(fit))
-        camera = known.camera if known is not None else None
-        ground_only = camera is not None and projects_only_ground(camera)
+        ground_only = known is not None and projects_only_ground(known.camera)
         terms = services.state.setup.describe(ground_only=ground_only)
         width, height = fit.size
         show_note(

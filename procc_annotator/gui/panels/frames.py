@@ -182,7 +182,7 @@ class FramesPanel(Panel):
         services.store.events.framesEdited.connect(self._take_edited)
         services.store.watch(select.unsaved, self.model.take_save_state)
         services.store.watch(select.unsaved, self._search_soon.start)
-        services.store.watch(select.dataset_scores, self._take_scores)
+        services.store.watch(lambda s: (s.active, s.tau, s.blind, s.committed), self._take_scores)
         services.store.events.frameScoresChanged.connect(self._take_scores)
         services.review.statusChanged.connect(self._take_status)
         services.label_check.framesChanged.connect(self._take_status)

@@ -339,8 +339,7 @@ class ScoresPanel(Panel):
             value = getattr(score, key)
             unit = " px" if key.endswith("error") else ""
             label.setText("–" if value is None else f"{value:.2f}{unit}")
-        camera = self._services.scorer.camera
-        ground_only = camera is not None and projects_only_ground(camera)
+        ground_only = projects_only_ground(self._services.scorer.camera)
         terms = [self._services.scorer.frame_setup.describe(ground_only=ground_only)]
         if self._services.state.active is self._services.fit_source.source:
             terms.append(tr(_OWN_FIT))

@@ -55,11 +55,6 @@ def cameras(state: State) -> tuple[object, ...]:
     return looks, state.active, state.compared
 
 
-def dataset_scores(state: State) -> tuple[object, ...]:
-    """Return what the scores of the dataset's frames depend on, besides their audits."""
-    return state.active, state.tau, state.blind, state.committed
-
-
 def mode(state: State) -> tuple[object, ...]:
     """Return what a click does, and whether the frame on screen can be edited."""
     can_edit = state.holder, state.damage, state.picture_error

@@ -156,8 +156,7 @@ class CameraBar(QWidget):
         hidden = not services.state.projection_visible
         error = "" if hidden else services.scorer.shown.error
         self.jac.setToolTip("\n".join(filter(None, (error or said, tr(_JAC_TIP)))))
-        camera = services.scorer.camera
-        ground_only = camera is not None and projects_only_ground(camera)
+        ground_only = projects_only_ground(services.scorer.camera)
         terms = services.state.setup.describe(ground_only=ground_only)
         self.terms.set_text(terms)
         self.terms.setToolTip(tr("What the score is computed with: {terms}", terms=terms))
