@@ -12,6 +12,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+import av
 import cv2
 import numpy as np
 
@@ -30,6 +31,7 @@ from procc_annotator.field.load import default_field_name  # noqa: E402
 from procc_annotator.formats.annotations.soccernet import write_annotation  # noqa: E402
 
 SUPERSAMPLING = 2
+VIDEO_FRAMES = 60
 GOLDEN = HERE.parent / "tests" / "unit" / "golden_sample_scores.json"
 
 
@@ -117,6 +119,24 @@ def scores(sport: Sport, sample: Path = HERE) -> dict[str, dict[str, dict[str, f
     return result
 
 
+def write_video(path: Path) -> None:
+    """Write a broadcast clip of two shots: two goals, a camera that pans, people who run."""
+    sys.path.insert(0, str(HERE.parent))
+    from tests.drawn_shots import FPS, cut_shot
+
+    shot = cut_shot(VIDEO_FRAMES)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream("libx264", rate=round(FPS))
+        stream.width, stream.height, stream.pix_fmt = *PICTURE_SIZE, "yuv420p"
+        stream.options = {"crf": "28", "preset": "slow", "g": "25"}
+        stream.codec_context.thread_count = 1  # the same bytes on every machine
+        for number in range(VIDEO_FRAMES):
+            pixels = np.ascontiguousarray(shot.frame(number)[..., :3])
+            container.mux(stream.encode(av.VideoFrame.from_ndarray(pixels, format="bgr24")))
+        container.mux(stream.encode())
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--golden", action="store_true", help="write the expected scores instead")
@@ -136,6 +156,8 @@ def main() -> None:
             if not arguments.frame or view.name in arguments.frame:
                 write(sport, view, arguments.out / sport.folder)
                 print(name, view.name, "drawn", flush=True)
+    if not arguments.sport and not arguments.frame:
+        write_video(arguments.out / "shot" / "match.mp4")
     total = sum(p.stat().st_size for p in arguments.out.rglob("*") if p.is_file())
     print(f"{total / 1e6:.1f} MB with cameras and annotations")
 

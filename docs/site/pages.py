@@ -17,8 +17,7 @@ from mkdocs.structure.pages import Page
 import procc_annotator
 
 ROOT = Path(__file__).resolve().parents[2]
-PICTURE = re.compile(r"!\[([^\]]*)\]\((\S*pictures/)([\w-]+)\.webp\)")
-DARK = "-dark.webp"
+PICTURE = re.compile(r"!\[([^\]]*)\]\((\S*pictures/)([\w-]+)\.(webp|svg)\)")
 BEGINS = re.compile(r"- |1\. |\|")  # a list, a table
 GOES_ON = re.compile(r"- |\d+\. |\||\s|#")  # what either stands behind without a line between
 
@@ -62,8 +61,11 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     made = {
         "index.md": _from_root("README.md"),
         "changelog.md": _from_root("CHANGELOG.md"),
+        "contributing.md": _from_root("CONTRIBUTING.md"),
+        "security.md": _from_root("SECURITY.md"),
+        "CITATION.cff": (ROOT / "CITATION.cff").read_text(encoding="utf-8"),
         "decisions/index.md": _decisions(),
-        "reference.md": reference_page(),
+        "reference/api.md": reference_page(),
     }
     for name, content in made.items():
         files.append(File.generated(config, name, content=content))
@@ -90,16 +92,17 @@ def set_apart(markdown: str) -> str:
 
 
 def _in_both_themes(found: re.Match[str]) -> str:
-    title, folder, name = found.groups()
-    if not (ROOT / "docs" / "pictures" / f"{name}{DARK}").exists():
+    title, folder, name, suffix = found.groups()
+    if not (ROOT / "docs" / "pictures" / f"{name}-dark.{suffix}").exists():
         return found.group(0)
-    light, dark = f"{folder}{name}.webp#only-light", f"{folder}{name}{DARK}#only-dark"
+    light, dark = f"{folder}{name}.{suffix}#only-light", f"{folder}{name}-dark.{suffix}#only-dark"
     return f"![{title}]({light})![{title}]({dark})"
 
 
 def _from_root(name: str) -> str:
-    """A page that lies beside `docs`, its links as from within."""
-    return (ROOT / name).read_text(encoding="utf-8").replace("](docs/", "](")
+    """Return a page of the repository's root, with links as from `docs`."""
+    text = (ROOT / name).read_text(encoding="utf-8").replace("](docs/", "](")
+    return re.sub(r"\]\(([A-Z]+\.md)\)", lambda link: f"]({link[1].lower()})", text)
 
 
 def _decisions() -> str:
@@ -117,7 +120,10 @@ def reference_page() -> str:
         PluginError: a name has no heading yet; this stops the build.
     """
     left = [name for name in procc_annotator.__all__ if name != "__version__"]
-    parts = ["# Python API", "All public names. How they are used: [from Python](python.md)."]
+    parts = [
+        "# Python API",
+        "All public names. Introduction: [Python](python.md).",
+    ]
     for title, beginnings in (*REFERENCE.items(), (ERRORS, ("",))):
         here = [n for b in beginnings for n in left if (n.startswith(b) and _is_error(n, title))]
         here = list(dict.fromkeys(here))
