@@ -32,6 +32,25 @@ from procc_annotator.formats.annotations.soccernet import write_annotation  # no
 
 SUPERSAMPLING = 2
 VIDEO_FRAMES = 60
+SECOND_ANNOTATOR = "second_annotator"  # of soccer's first frames
+SECOND_FRAMES = 6
+OTHER_NAMES = {  # as another program might call them
+    "Big rect. left main": "left penalty area front",
+    "Big rect. left top": "left penalty area far side",
+    "Big rect. right main": "right penalty area front",
+    "Big rect. right top": "right penalty area far side",
+    "Side line top": "far touchline",
+    "Circle left": "left penalty arc",
+    "Circle right": "right penalty arc",
+    "Goal right crossbar": "right crossbar",
+}
+TRACKS = """\
+frame,id,x,y,w,h
+00002,7,610,310,22,60
+00002,9,800,280,20,55
+00003,7,500,260,22,58
+00003,9,930,330,24,64
+"""  # boxes of people, px of the pictures
 GOLDEN = HERE.parent / "tests" / "unit" / "golden_sample_scores.json"
 
 
@@ -92,6 +111,23 @@ def write_data(sport: Sport, view: View, folder: Path) -> None:
         path.write_bytes(content)
 
 
+def write_second(folder: Path) -> None:
+    """Write what another person would have clicked, other names of labels, and a table of boxes."""
+    sport = SPORTS["soccer"]
+    (folder / SECOND_ANNOTATOR).mkdir(parents=True, exist_ok=True)
+    for view in sport.views[:SECOND_FRAMES]:
+        if view.annotated:
+            content = write_annotation(annotation_of(sport, view, annotator=2))
+            (folder / SECOND_ANNOTATOR / f"{view.name}.json").write_bytes(content)
+    (folder / "other_names").mkdir(exist_ok=True)
+    for name in ("00002", "00003"):
+        content = (folder / f"{name}.json").read_text(encoding="utf-8")
+        for own, other in OTHER_NAMES.items():
+            content = content.replace(f'"{own}"', f'"{other}"')
+        (folder / "other_names" / f"{name}.json").write_text(content, encoding="utf-8")
+    (folder / "tracks.csv").write_text(TRACKS, encoding="utf-8")
+
+
 def scores(sport: Sport, sample: Path = HERE) -> dict[str, dict[str, dict[str, float]]]:
     """Mean JaC of each camera set of a sport: set -> protocol -> tau -> JaC."""
     from procc_annotator.dataset.camera_set import CameraSet
@@ -119,6 +155,14 @@ def scores(sport: Sport, sample: Path = HERE) -> dict[str, dict[str, dict[str, f
     return result
 
 
+def write_views(folder: Path) -> None:
+    """Write three views of one instant, annotated with six places of the stand."""
+    sys.path.insert(0, str(HERE.parent / "docs" / "examples"))
+    from three_views import make_dataset
+
+    make_dataset(folder)
+
+
 def write_video(path: Path) -> None:
     """Write a broadcast clip of two shots: two goals, a camera that pans, people who run."""
     sys.path.insert(0, str(HERE.parent))
@@ -129,7 +173,7 @@ def write_video(path: Path) -> None:
     with av.open(str(path), "w") as container:
         stream = container.add_stream("libx264", rate=round(FPS))
         stream.width, stream.height, stream.pix_fmt = *PICTURE_SIZE, "yuv420p"
-        stream.options = {"crf": "28", "preset": "slow", "g": "25"}
+        stream.options = {"crf": "29", "preset": "slow", "g": "25"}
         stream.codec_context.thread_count = 1  # the same bytes on every machine
         for number in range(VIDEO_FRAMES):
             pixels = np.ascontiguousarray(shot.frame(number)[..., :3])
@@ -157,6 +201,8 @@ def main() -> None:
                 write(sport, view, arguments.out / sport.folder)
                 print(name, view.name, "drawn", flush=True)
     if not arguments.sport and not arguments.frame:
+        write_second(arguments.out)
+        write_views(arguments.out / "views")
         write_video(arguments.out / "shot" / "match.mp4")
     total = sum(p.stat().st_size for p in arguments.out.rglob("*") if p.is_file())
     print(f"{total / 1e6:.1f} MB with cameras and annotations")

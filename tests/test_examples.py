@@ -8,8 +8,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 import procc_annotator
 
 ROOT = Path(__file__).parents[1]

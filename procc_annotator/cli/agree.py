@@ -72,9 +72,8 @@ Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if ther
 """
 
 EXAMPLE = """\
-  procc-annotator agree anna/annotations ben/annotations --tau 5 --tau 2 --output agreement.csv
-  procc-annotator agree anna/ ben/ cleo/ --cluster shot --consensus agreed/ --output agreement.json
-  procc-annotator agree anna/ ben/ --reference match/ --output reference.json
+  procc-annotator agree sample_data sample_data/second_annotator --tau 5 --tau 2
+  procc-annotator agree sample_data sample_data/second_annotator --output agreement.json
 """
 
 

@@ -54,8 +54,8 @@ Exit code: 0; 1 if some pictures or cameras were unreadable (listed); 2 if there
 """
 
 EXAMPLE = """\
-  procc-annotator annotate match.mp4 match_frames/ --cameras tracked/ --every 25
-  procc-annotator annotate match/ match/annotations/ --cameras proposed/ --views 20
+  procc-annotator annotate sample_data annotated/ --cameras sample_data/cameras/true
+  procc-annotator annotate sample_data few/ --cameras sample_data/cameras/true --views 2
 """
 
 Out = Annotated[Path, typer.Argument(help="Folder to write the annotations to.")]

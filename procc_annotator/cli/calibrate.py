@@ -70,8 +70,8 @@ without a camera is listed with the reason and is no error.
 """
 
 EXAMPLE = """\
-  procc-annotator calibrate match/ match/cameras/ --model R -t 2 -t 5
-  procc-annotator calibrate match/ match/cameras/ --shared-position
+  procc-annotator calibrate sample_data fitted/ --model R -t 2 -t 5
+  procc-annotator calibrate sample_data together/ --shared-position
 """
 
 

@@ -40,7 +40,10 @@ Exit code: 0, whatever was found; 1 if something was found that --fail-on asks f
 annotations were unreadable (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = "  procc-annotator check match/ --output findings.csv\n"
+EXAMPLE = """\
+  procc-annotator check sample_data --output findings.csv
+  procc-annotator check sample_data/volleyball --min-severity warning
+"""
 
 
 Least = Annotated[

@@ -29,7 +29,10 @@ Exit code: 0 if there is nothing to say; 1 if there is; 2 if the archive cannot 
 """
 
 EXAMPLE = """\
-  procc-annotator check-submission test.zip --annotations SoccerNet/test --split test
+  procc-annotator convert sample_data/cameras/true test.zip --to submission --split test
+  procc-annotator check-submission test.zip --split test
+  procc-annotator convert sample_data/cameras/true lines.zip --to polylines --frames sample_data
+  procc-annotator check-submission lines.zip --annotations sample_data
 """
 
 

@@ -67,8 +67,9 @@ Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if ther
 """
 
 EXAMPLE = """\
-  procc-annotator compare carwc=homographies/ ours=cameras/ match/ --pictures out/ -n 20
-  procc-annotator compare reference=true/ ours=cameras/ match/ --versus theirs=others.zip
+  procc-annotator compare true=sample_data/cameras/true bad=sample_data/cameras/bad sample_data
+  procc-annotator compare true=sample_data/cameras/true bad=sample_data/cameras/bad sample_data \\
+      --versus pinhole=sample_data/cameras/pinhole --pictures disagreement/ -n 3
 """
 
 # dataset/cameras/method

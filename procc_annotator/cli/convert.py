@@ -49,10 +49,10 @@ Exit code: 0; 1 if some files or frames were left out (listed); 2 if there was n
 """
 
 EXAMPLE = """\
-  procc-annotator convert match/ cvat.zip --to cvat --pictures
-  procc-annotator convert task/annotations.xml back/ --to soccernet
-  procc-annotator convert match/ masks/ --to masks --line-width 6
-  procc-annotator convert cameras/ submission.zip --to submission --split test
+  procc-annotator convert sample_data cvat.zip --to cvat --pictures
+  procc-annotator convert cvat.zip back/ --to soccernet
+  procc-annotator convert sample_data masks/ --to masks --line-width 6
+  procc-annotator convert sample_data/cameras/true submission.zip --to submission --split test
 """
 
 # By --to, the format written; annotations of SoccerNet are what "soccernet" alone means here.

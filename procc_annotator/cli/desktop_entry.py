@@ -27,7 +27,10 @@ listed.
 Exit code: 0; 2 if it cannot be done here.
 """
 
-EXAMPLE = "  procc-annotator desktop-entry --install\n"
+EXAMPLE = """\
+  procc-annotator desktop-entry --install
+  procc-annotator desktop-entry --remove
+"""
 
 ID = "org.procc.Annotator"
 _SPECIAL = '"`$\\'

@@ -52,11 +52,11 @@ lowers the completeness. A camera without annotation is reported and not counted
 """
 
 EXAMPLE = """\
-  procc-annotator evaluate annotations/ cameras.zip -t 5 -t 2 --output scores.json
-  procc-annotator evaluate --set wc14=wc14/annotations --set ts=ts/annotations \\
-      --cameras 'pnl={set}/pnlcalib' --cameras 'nbjw:wc14={set}/nbjw.zip' \\
-      --size 960x540 --size 1280x720 --output scores.csv
-  procc-annotator evaluate annotations/ cameras/ --tags stadiums.csv --by stadium --by model
+  procc-annotator evaluate sample_data sample_data/cameras/bad -t 5 -t 2 --output scores.json
+  procc-annotator evaluate sample_data --cameras a=sample_data/cameras/pinhole \\
+      --cameras b=sample_data/cameras/bad --intervals --by zoom
+  procc-annotator evaluate --set soccer=sample_data --set again=sample_data \\
+      --cameras 'bad=sample_data/cameras/bad' --size 960x540 --size 1280x720 --output scores.csv
 """
 
 

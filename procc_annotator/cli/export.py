@@ -30,8 +30,8 @@ Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing t
 """
 
 EXAMPLE = """\
-  procc-annotator export match/ match.zip --cameras predictions/ -t 5 -t 2
-  procc-annotator export match/ test_json.zip --split test
+  procc-annotator export sample_data match.zip --cameras sample_data/cameras/bad -t 5 -t 2
+  procc-annotator export sample_data test_json.zip --split test
 """
 
 

@@ -28,7 +28,10 @@ from procc_annotator.report.field_tables import (
 )
 
 LIST_HELP = "List the fields that come with the program."
-LIST_EXAMPLE = "  procc-annotator field list\n"
+LIST_EXAMPLE = """\
+  procc-annotator field list
+  procc-annotator field list --help
+"""
 CHECK_HELP = """Check a field file.
 
 What cannot be read is told with its line, what was expected and what to do. What can be read but is
@@ -39,7 +42,10 @@ something that may be left as it is.
 
 Exit code: 0 if there are no errors or warnings; 1 if there are; 2 if the field cannot be read.
 """
-CHECK_EXAMPLE = "  procc-annotator field check padel.toml\n"
+CHECK_EXAMPLE = """\
+  procc-annotator field check tennis
+  procc-annotator field check soccer
+"""
 SHOW_HELP = """Show a field: its elements, dimensions and symmetries as tables, and its map.
 
 With --output the map is written as a picture. On a terminal a window with the map opens, too, which
@@ -50,7 +56,7 @@ Exit code: 0; 2 if the field cannot be read.
 """
 SHOW_EXAMPLE = """\
   procc-annotator field show basketball_fiba
-  procc-annotator field show padel.toml --output map.svg
+  procc-annotator field show sample_data/volleyball/field.toml --output map.svg
 """
 
 app = typer.Typer(

@@ -50,9 +50,8 @@ Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was not
 """
 
 EXAMPLE = """\
-  procc-annotator field-size match/ --save
-  procc-annotator field-size annotations/ --groups matches.csv -t 2 -t 5
-  procc-annotator field-size match/ --groups matches.csv --save
+  procc-annotator field-size sample_data
+  procc-annotator field-size sample_data --dimension length --save
 """
 
 

@@ -28,8 +28,9 @@ Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing t
 """
 
 EXAMPLE = """\
-  procc-annotator figure match/ figure.pdf --cameras ours=run1/ --cameras theirs=run2/
-  procc-annotator figure match/ figure.svg --cameras run1/ --frame 00012 --frame 00047
+  procc-annotator figure sample_data figure.pdf --cameras a=sample_data/cameras/pinhole \\
+      --cameras b=sample_data/cameras/bad
+  procc-annotator figure sample_data figure.svg --cameras sample_data/cameras/bad --frame 00003
 """
 
 Out = Annotated[Path, typer.Argument(help="File of the figure: .svg, .pdf or .png.")]

@@ -33,9 +33,9 @@ has a place.
 """
 
 EXAMPLE = """\
-  procc-annotator ground tracks.csv --cameras cameras/ --output positions.csv
-  procc-annotator ground gt.txt --cameras cameras/ --pixel-sd 2 --axes up --output positions.csv
-  procc-annotator ground positions.csv --cameras cameras/ --to-pixels
+  procc-annotator ground sample_data/tracks.csv --cameras sample_data/cameras/true \\
+      --size 1280x720 --camera-size 960x540 --output positions.csv
+  procc-annotator ground positions.csv --cameras sample_data/cameras/true --to-pixels
 """
 
 Points = Annotated[Path, typer.Argument(help="Table of points or boxes.")]

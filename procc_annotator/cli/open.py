@@ -140,11 +140,8 @@ window closes. Exit code: 0 if all went well, 2 if not. No setting and no file o
 """
 
 EXAMPLE = """\
-  procc-annotator open match/ --cameras predictions/
-
-  procc-annotator open match/ --field basketball_fiba
-
-  procc-annotator open match/ --cameras ours=predictions/ --cameras carwc:carwc=npy/
+  procc-annotator open sample_data --cameras sample_data/cameras/bad
+  procc-annotator open sample_data/volleyball --cameras late=sample_data/volleyball/cameras/late
 """
 
 

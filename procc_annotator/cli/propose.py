@@ -68,8 +68,8 @@ do. A frame without a camera is no error.
 """
 
 EXAMPLE = """\
-  procc-annotator propose match/ proposed/
-  procc-annotator propose match.mp4 proposed/ --every 25 --known-positions fitted/positions.csv
+  procc-annotator propose sample_data proposed/
+  procc-annotator propose sample_data/shot/match.mp4 found/ --every 20
 """
 
 # Below this many pictures starting processes costs more than it saves.

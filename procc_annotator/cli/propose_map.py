@@ -42,8 +42,10 @@ Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was not
 """
 
 EXAMPLE = """\
-  procc-annotator propose-map task/annotations.xml --field tennis
-  procc-annotator check task/annotations.xml --field tennis --map labels.toml
+  procc-annotator propose-map sample_data/other_names --output labels.toml
+  procc-annotator propose-map sample_data/other_names --cameras sample_data/cameras/true \\
+      --output again.toml
+  procc-annotator evaluate sample_data/other_names sample_data/cameras/true --map labels.toml
 """
 
 

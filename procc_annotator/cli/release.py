@@ -68,8 +68,9 @@ Exit code: 0; 1 if some files were left out (listed); 2 if there was nothing to 
 """
 
 EXAMPLE = """\
-  procc-annotator release match/ match-1.1/ --version 1.1 --licence CC-BY-4.0 \\
-      --splits splits.csv --second-annotator second/ --previous match-1.0/
+  procc-annotator release sample_data match-1.0/ --version 1.0 --licence CC-BY-4.0
+  procc-annotator release sample_data match-1.1/ --version 1.1 --licence CC-BY-4.0 \\
+      --second-annotator sample_data/second_annotator --previous match-1.0/
 """
 
 _AGREEMENT_TAU = 5.0

@@ -47,10 +47,9 @@ Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing t
 """
 
 EXAMPLE = """\
-  procc-annotator render match/ overlays/ --cameras predictions/ --threshold 5
-  procc-annotator render match/ figures/ --format svg --scale 2 --legend
-  procc-annotator render match.mp4 overlay.mp4 --cameras tracked/
-  procc-annotator render match.mp4 field.png --cameras tracked/ --top-view
+  procc-annotator render sample_data overlays/ --cameras sample_data/cameras/bad --threshold 5
+  procc-annotator render sample_data figures/ --format svg --scale 2 --legend
+  procc-annotator render sample_data above/ --cameras sample_data/cameras/true --top-view
 """
 
 

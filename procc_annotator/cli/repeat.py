@@ -32,8 +32,9 @@ Exit code: 0 if nothing differs; 1 if something does; 2 if it cannot be repeated
 """
 
 EXAMPLE = """\
-  procc-annotator evaluate wc14/annotations wc14/cameras_pnlcalib --manifest wc14.json
-  procc-annotator repeat wc14.json --data downloads/wc14
+  procc-annotator evaluate sample_data sample_data/cameras/bad --manifest run.json
+  procc-annotator repeat run.json --data sample_data
+  procc-annotator repeat run.json --data sample_data --output differences.json
 """
 
 _COMMANDS = ("evaluate", "report")

@@ -61,8 +61,9 @@ Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if ther
 """
 
 EXAMPLE = """\
-  procc-annotator report match/ --cameras ours=run1/ --cameras carwc:carwc=homographies/ \\
-      --disagreement ours,carwc --output report.html --output table.tex
+  procc-annotator report sample_data --cameras bad=sample_data/cameras/bad --output report.html
+  procc-annotator report sample_data --cameras a=sample_data/cameras/pinhole \\
+      --cameras b=sample_data/cameras/bad --disagreement a,b --output table.tex
 """
 
 DEFAULT_THRESHOLDS = (5.0, 2.0, 10.0)

@@ -30,6 +30,8 @@ Exit code: 0; 1 if units were set aside.
 """
 
 EXAMPLE = """\
+  procc-annotator track sample_data/shot/ tracked/
+  procc-annotator status tracked/
   procc-annotator status tracked/ --price 0.05 --output status.html
 """
 

@@ -58,8 +58,8 @@ nothing to do. A frame that is lost is no error.
 """
 
 EXAMPLE = """\
-  procc-annotator track match.mp4 tracked/ --annotations match_frames/
-  procc-annotator track season/ tracked/ --workers 8
+  procc-annotator track sample_data/shot/match.mp4 tracked/
+  procc-annotator track sample_data/shot/ season/ --workers 2
 """
 
 Source = Annotated[

@@ -254,9 +254,9 @@ landmark without a position is listed with the reason and is no error.
 """
 
 EXAMPLE = """\
-  procc-annotator triangulate match/ --cameras match/cameras/
-  procc-annotator triangulate match/ --pattern '{instant}_{view}' --moving Ball
-  procc-annotator triangulate match/ --surveyed 'Floodlight NE=61.2,-45.0,-28.4'
+  procc-annotator triangulate sample_data/views --pattern '{instant}_{view}' -o landmarks.json
+  procc-annotator triangulate sample_data/views --cameras sample_data/views/cameras \\
+      --surveyed 'Clock=12.0,-52.0,-11.0'
 """
 
 
