@@ -36,19 +36,15 @@ from procc_annotator.report.auto_annotation import Annotated as Done
 from procc_annotator.report.auto_annotation import annotate_pictures
 
 HELP = """\
-SOURCE is a folder of pictures, one picture, a video, whose frames are named as the window names
-them (match_000123), or a season (see track); cameras and OUT then have a folder or file a match.
-Every element that a frame's camera shows is looked for in the picture; those whose paint is seen
-become an annotation in OUT, FRAME.json, SoccerNet JSON. OUT may be where the window looks for
-annotations: match/annotations (or match itself, where they lie beside the pictures), or
-match_frames beside match.mp4; those of a season go there if OUT is its folder.
+SOURCE is a folder of pictures, a picture, a video (frames match_000123) or a season (see track).
+OUT gets FRAME.json (SoccerNet JSON) with the elements that the frame's camera shows and that are
+seen in the picture. It may be where the window reads annotations: match/annotations, match_frames/
+for match.mp4, or the season's folder.
 
-The points' provenance is "proposed": somebody should look at them. The workspace of the dataset
-remembers it, and that of OUT. A file of OUT is never replaced: frames that have one are passed
-over, so that an interrupted run goes on when it is started again.
+The points have the provenance "proposed", in the workspaces of the dataset and of OUT: a person
+should confirm them. Existing files are never replaced, so a stopped run continues when repeated.
 
---views 20 takes the 20 frames whose views differ most, by where the camera looks and how far it
-zooms: those to look at first.
+--views 20 selects the 20 frames with the most different pan and zoom.
 
 Exit code: 0; 1 if some pictures or cameras were unreadable (listed); 2 if there was nothing to do.
 """

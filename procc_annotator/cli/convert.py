@@ -33,17 +33,16 @@ from procc_annotator.report.conversion import convert_annotations, export_camera
 from procc_annotator.report.conversion_output import ConversionRequest
 
 HELP = """\
-IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an archive if it ends in
-.zip, or the file itself for formats that keep a whole set in one. Nothing that is read is ever
-changed, and files that are there stay unless --overwrite is given.
+IN is a dataset, a folder or zip of files, or one file. OUT is a folder, a .zip, or the file itself
+for formats that hold a whole set. Inputs are never changed; existing files are replaced only with
+--overwrite.
 
 Annotations: soccernet, soccernet-v3, soccernet-gsr, labelme, cvat, cvat-video, coco; yolo-pose and
-masks are only written.
-Cameras, by --to: soccernet-camera, opencv, krt, wc14, carwc, world, submission; polylines is a
-submission of where any camera model shows the elements, for --protocol at --size, of the frames
-that --frames names.
+masks are only written. Cameras: soccernet-camera, opencv, krt, wc14, carwc, world, submission;
+polylines (a submission of projections of any camera model, for --protocol at --size, of the frames
+in --frames).
 
-Whatever a format cannot hold is told, line by line.
+What a format cannot hold is listed.
 
 Exit code: 0; 1 if some files or frames were left out (listed); 2 if there was nothing to do.
 """

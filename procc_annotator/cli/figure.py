@@ -20,9 +20,9 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.report.overlay_scene import Rendered, Rendering, Scene
 
 HELP = """\
-Rows are frames, columns are methods; elements have the colours of the window, each cell its JaC.
-OUT ends in .svg, .pdf or .png. Without --frame, frames are chosen that show the range: those at
-evenly spaced ranks of their mean JaC over the methods, from the worst to the best.
+Rows are frames, columns are methods; each cell shows the overlay of the window and its JaC. OUT
+ends in .svg, .pdf or .png. Without --frame, frames are chosen at evenly spaced ranks of their mean
+JaC, from the worst to the best.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """

@@ -130,13 +130,13 @@ def _qt_folder() -> Path | None:
 
 
 HELP = """\
-PATH is a folder of pictures (or its field.toml), one picture, a video, a season (a folder in which
-videos lie, a .csv that lists them, or a folder that track writes to), or nothing. The word "open"
-may be left out.
+PATH is a folder of pictures (or its field.toml), a picture, a video, a season (a folder with
+videos, a .csv that lists them, or the output of track), or nothing. The word "open" may be left
+out.
 
-With --selftest the program tries itself: the window opens (out of sight, unless QT_QPA_PLATFORM
-says otherwise), one element is annotated in a copy of a picture, saved and read back, and the
-window closes. Exit code: 0 if all went well, 2 if not. No setting and no file of yours is changed.
+--selftest tests the installation: the window opens (off screen, unless QT_QPA_PLATFORM is set), an
+element is annotated in a copy of a picture, saved and read again. Exit code: 0 if all succeeded, 2
+if not. No setting or file of yours is changed.
 """
 
 EXAMPLE = """\

@@ -37,11 +37,10 @@ from procc_annotator.report.overlay_scene import (
 
 HELP = """\
 DATASET may be a video. OUT is a folder, or a video if it ends in .mp4; with --top-view also one
-picture (.png, .jpg, .svg, .pdf): the median of the frames from above, without what moves.
+picture (.png, .jpg, .svg, .pdf): the median of the frames from above, without moving objects.
 
-Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
-explains them below each picture. With --format svg lines and text stay sharp at any size. Pictures
-that are there already are replaced only with --overwrite, or after a run that was stopped.
+Colours and dashes are those of the window, at --threshold; --legend explains them below each
+picture. Existing pictures are replaced only with --overwrite, or after a run that was stopped.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """

@@ -22,13 +22,13 @@ from procc_annotator.messages import pluralize
 from procc_annotator.report.tables.data_files import json_bytes
 
 HELP = """\
-MANIFEST is what evaluate or report wrote with --manifest. Its inputs are found by their relative
-paths in --data DIR; without it beside the manifest, in the folder above it, or in the current one.
+MANIFEST was written by evaluate or report with --manifest. Its inputs are searched by their
+relative paths in --data DIR, else next to the manifest, in the folder above, or in the current one.
 
-The same command runs again on these inputs. Every difference is listed: another version, a missing
-file, other content, a file that the manifest does not know, another field, another metric.
+The command runs again on these inputs. Listed are: another version, missing files, other contents,
+files that the manifest does not list, another field, other metrics.
 
-Exit code: 0 if nothing differs; 1 if something does; 2 if it cannot be repeated.
+Exit code: 0 without differences; 1 with some; 2 if it cannot be repeated.
 """
 
 EXAMPLE = """\

@@ -50,12 +50,12 @@ from procc_annotator.report.page.report_data import AuditReport, ReportWork, gat
 from procc_annotator.report.scores.scoring import EvaluationRequest
 
 HELP = """\
-DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
-pictures are then drawn on plain ground.
+DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone (overlays
+are then drawn on plain ground).
 
-The page (.html) is one file that loads nothing: tables, curves, histograms, the worst frames and
-some drawn by lot, with explanations and definitions. Figures go to .csv and .json, tables for a
-paper to .tex. Repeat --output for several files.
+The page (.html) is one file that loads nothing: tables, curves, histograms, worst and random
+frames, with definitions. .csv and .json hold the metrics, .tex the tables for a paper. Repeat
+--output for several files.
 
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """
