@@ -239,7 +239,7 @@ def _against_reference(given: AgreeOptions, reference: Path) -> int:
             against.add(name, place, run, clusters_of, with_progress)
     if run is None or not against.rows:
         raise UsageError(
-            "nothing to do: nobody has annotated any of"
+            "nothing to do: there is no annotation of any of"
             f" {list_names(sorted(among), 'reference frame')}"
         )
     for path in files:  # before the tables: whoever reads them may stop after the first

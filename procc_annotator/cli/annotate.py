@@ -167,7 +167,7 @@ def _workspaces(pictures: PictureSource, out: Path) -> dict[Path, bool]:
 def _interrupted_message(done: Done, total: int, out: Path) -> str:
     looked_at = len(done.frames) + len(done.bare) + len(done.kept) + len(done.errors)
     return (
-        f"{looked_at} of {pluralize(total, 'frame')} looked at,"
+        f"{looked_at} of {pluralize(total, 'frame')} examined,"
         f" {pluralize(len(done.frames), 'annotation')} written to {out}; run it again to go on"
     )
 

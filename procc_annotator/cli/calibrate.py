@@ -179,7 +179,7 @@ def _fit_individually(run: CalibrationRun, out: Path, workers: int | None, dask:
     _print_report(report, out)
     if hold_out:
         stdout_console().print(calibration.held_out_table(report))
-        echo(f"written: {LEFT_OUT_FILE}, which evaluate and report tell beside these cameras")
+        echo(f"written: {LEFT_OUT_FILE}, which evaluate and report use with these cameras")
     if (out / POSITIONS_FILE).exists():
         echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"

@@ -103,7 +103,7 @@ def check(
             )
     _print_report(report, written_to)
     if paint and not run.seen:
-        echo("no pictures beside the annotations: paint was not looked for")
+        echo("no pictures next to the annotations: line evidence was not used")
     report_remarks(report.remarks)
     code = report_unreadable([problem for _, problem in report.unreadable])
     raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)

@@ -72,7 +72,7 @@ Size = Annotated[
     typer.Option(
         metavar="WxH",
         callback=options.checked_size,
-        help="Size of pictures that are not there and whose size no file tells; of cameras:"
+        help="Size of pictures that are missing and not stated in a file; of cameras:"
         " the size they are written for.",
     ),
 ]
@@ -191,7 +191,7 @@ def _convert_annotations(given: ConvertOptions) -> int:
     if not done.frames and done.problems and all(SIZE_UNKNOWN in one for one in done.problems):
         raise UsageError(
             f"nothing to do: {done.title} is in pixels, and the size of no picture of {source} is"
-            " known; put the pictures beside the annotations, or name their size: --size WxH"
+            " known; put the pictures next to the annotations, or name their size: --size WxH"
         )
     unreadable = remarks.report_unreadable(done.problems, "left out")
     if not done.frames:
@@ -250,8 +250,8 @@ def _convert_cameras(given: ConvertOptions) -> int:
     of = f", for pictures of {fixed[0]}x{fixed[1]} px, as the format has it" if fixed else ""
     echo(f"{pluralize(done.written, 'camera')} written to {given.out}{of}")
     if given.to == "world":
-        told = "nothing in these files tells them from wc14: read them with --camera-format world"
-        remarks.report_remarks([told])
+        note = "these files look like wc14: read them with --camera-format world"
+        remarks.report_remarks([note])
     return unreadable
 
 

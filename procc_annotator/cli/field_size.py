@@ -149,7 +149,7 @@ def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:
     """Keep the dimensions that are determined, next to those kept before; return what and where."""
     if size.stadium is not None and size.stadium.frames == 1:
         raise UsageError(
-            "nothing kept: a single frame tells no dimensions, they absorb what belongs to its"
+            "nothing kept: a single frame determines no dimensions, they absorb what belongs to its"
             " camera; annotate more frames of the stadium"
         )
     values = size.stadium.values if size.stadium is not None else {}

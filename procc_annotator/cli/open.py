@@ -155,7 +155,7 @@ class OpenOptions:
     annotations: Annotated[
         Path | None,
         typer.Option(
-            metavar="DIR", help="Folder of the annotation files, if not beside the pictures."
+            metavar="DIR", help="Folder of the annotation files, if not next to the pictures."
         ),
     ] = None
     cameras: Sources = None
@@ -165,7 +165,7 @@ class OpenOptions:
             "--field",
             metavar="NAME|FILE[:DIMENSIONS]",
             help="The field that PATH shows, which its dataset remembers.  [default: what it"
-            " remembers, or what its classes tell]",
+            " remembers, or what its classes suggest]",
         ),
     ] = None
     lines: Lines = None

@@ -96,7 +96,7 @@ def _root(known: Manifest, manifest: Path, data: Path | None) -> Path:
         raise UsageError(
             f"{first}: is not in {data}; --data names the folder that it lies in by that path"
             if data is not None
-            else f"{first}: is not beside the manifest; say where with --data DIR"
+            else f"{first}: is not next to the manifest; name its folder with --data DIR"
         )
     return best
 

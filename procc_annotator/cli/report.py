@@ -105,7 +105,7 @@ Date = Annotated[
 Worst = Annotated[
     int, typer.Option(min=0, max=1000, metavar="N", help="Worst frames to draw, a source.")
 ]
-Random = Annotated[int, typer.Option(min=0, max=1000, metavar="N", help="Frames to draw by lot.")]
+Random = Annotated[int, typer.Option(min=0, max=1000, metavar="N", help="Number of random frames.")]
 Seed = Annotated[int, typer.Option(min=0, metavar="N", help="Of the lot, and of sets drawn.")]
 By = Annotated[
     list[str] | None,

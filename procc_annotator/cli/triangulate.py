@@ -111,7 +111,7 @@ def check_values(model: str, click_px: float | None) -> None:
     """Raise UsageError for what no camera can be fitted or no place be found with."""
     require_known_model(model)
     if model == "H":
-        raise UsageError("a homography tells no place in space: choose P, R, R+ or auto, not H")
+        raise UsageError("a homography has no position in space: choose P, R, R+ or auto, not H")
     if click_px is not None and not click_px > 0:
         raise UsageError(f"--click-sd must be a positive number of pixels, not {click_px:g}")
 
