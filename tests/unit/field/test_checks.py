@@ -181,8 +181,8 @@ def test_a_doubt_is_named_with_its_place_and_what_to_do(tmp_path, old, new, expe
         (
             'start = ["-length / 2", "width / 2", "0"]\nend = ["length / 2", "width / 2", "0"]',
             'start = ["-length / 2", "-width / 2", "0"]\nend = ["length / 2", "-width / 2", "0"]',
-            "warning: element 'Side far': lies where 'Near side line' lies (nobody can tell them"
-            " apart: is one of them on the other side?)",
+            "warning: element 'Side far': lies where 'Near side line' lies (they cannot be"
+            " distinguished: is one of them on the other side?)",
         ),
     ],
 )
