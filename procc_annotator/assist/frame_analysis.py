@@ -61,6 +61,7 @@ class FrameAnalysis:
             return self.unlikely
         known = {p.class_name for p in (*annotation.polylines, *annotation.unconfirmed)}
         known |= {suggestion.name for suggestion in self.suggestions} | self.visible_optional
+        known |= {ghost.name for ghost in self.ghosts}  # of a camera found without clicks
         flat = isinstance(fit.camera, HomographyCamera)
         shown = (e.name for e in field.elements if not flat or e.on_ground)
         return frozenset(shown) - known

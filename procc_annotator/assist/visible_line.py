@@ -77,6 +77,7 @@ _COLOUR_COSINE = 0.93  # 22 degrees between two colours
 _GROUND_APART = 0.07  # of the shares of blue, green and red in a side's colour
 _GROUND_LIGHT = 0.45, 2.0
 _MOST_SPREAD = 0.5  # of the way from the ground's colour to the line's
+_MOST_SPREAD = 0.5  # of the way from the ground's colour to the line's
 _RUN_STEADY_PX = 13  # a line shows in nearly every cut over this length
 _STEADY_SHARE = 0.65
 _GAP_PX = 6

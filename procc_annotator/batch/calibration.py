@@ -14,8 +14,8 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.scoring import left_out_settings
 from procc_annotator.batch.set_run import (
     AnnotationTask,
+    CheckpointedRun,
     FrameFile,
-    SetRun,
     annotation_files,
     reopenable_source,
 )
@@ -239,7 +239,7 @@ def camera_file(name: str, fit: FitResult, digest: str | None = None) -> tuple[s
     return camera_name(name), write_camera(fit.camera, more)
 
 
-class CalibrationRun(SetRun[FrameFile, Calibrated, SetAccumulator]):
+class CalibrationRun(CheckpointedRun[FrameFile, Calibrated, SetAccumulator]):
     """One pass over a set; iterate it once, then ask for the `summary`.
 
     Attributes:

@@ -16,7 +16,7 @@ import numpy as np
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.batch.serialization import serialize
-from procc_annotator.batch.set_run import SetRun
+from procc_annotator.batch.set_run import CheckpointedRun
 from procc_annotator.batch.unit_store import hex_digest, stamp_of_file
 from procc_annotator.calibration.fitting import fit_camera
 from procc_annotator.calibration.result import FitResult
@@ -309,7 +309,7 @@ def set_pixel_aspect(
     return stated or estimate_pixel_aspect(pictures(), go_on)
 
 
-class ProposalRun(SetRun[Frame, Proposed, None]):
+class ProposalRun(CheckpointedRun[Frame, Proposed, None]):
     """One pass over pictures; iterate it once, then ask whether `again` is worth it."""
 
     chunk = 1  # a second's work, and what is found is written as it comes

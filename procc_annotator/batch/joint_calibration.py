@@ -12,8 +12,8 @@ from procc_annotator.batch.calibration import Calibrated, model_words, scored
 from procc_annotator.batch.grouping import Tags
 from procc_annotator.batch.set_run import (
     AnnotationTask,
+    CheckpointedRun,
     FrameFile,
-    SetRun,
     annotation_files,
     reopenable_source,
 )
@@ -156,7 +156,7 @@ class FitChunk(AnnotationTask):
         return IndividualFit(name, None, annotation, None, self.sizes.of_frame(name, annotation))
 
 
-class SetFits(SetRun[FrameFile, IndividualFit, None]):
+class SetFits(CheckpointedRun[FrameFile, IndividualFit, None]):
     """The own fits of all frames of a set, and the groups they belong to; None for one group of
     all."""
 

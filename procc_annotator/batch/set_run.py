@@ -5,6 +5,7 @@ A task is sent to anyone who does the work; results come in the order of the fra
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
@@ -60,11 +61,9 @@ class SetRun(Generic[F, R, S]):
         executor: who does the work; this process unless another one is put here.
         chunk: frames a worker takes at once. It belongs to the task, not to the machine: sums of
             other chunks may differ in their last digit.
-        kept: what was done before, and where what is done now is kept; None keeps nothing.
     """
 
     chunk: int = CHUNK
-    kept: UnitStore | None = None
 
     def __init__(
         self,
@@ -88,40 +87,51 @@ class SetRun(Generic[F, R, S]):
 
     def __iter__(self) -> Iterator[R]:
         chunks = [self.frames[i : i + self.chunk] for i in range(0, self.total, self.chunk)]
-        for results, sums in self._pieces(chunks, self.kept):
+        for results, sums in self._pieces(chunks):
             self._take(results, sums)
             yield from results
 
-    def _pieces(
-        self, chunks: list[Sequence[F]], kept: UnitStore | None
-    ) -> Iterator[tuple[list[R], S]]:
-        """Results and sums of the chunks: those that are kept, and the others as they are made."""
-        if kept is None:
-            yield from self.executor.map(Work(self.task, chunks, frames_in_words))
+    def _pieces(self, chunks: list[Sequence[F]]) -> Iterator[tuple[list[R], S]]:
+        """Results and sums of the chunks, in their order."""
+        yield from self.executor.map(Work(self.task, chunks, frames_in_words))
+
+    def _take(self, results: Sequence[R], sums: S) -> None:
+        """Add what a chunk brought, in the order of the chunks."""
+
+
+class CheckpointedRun(SetRun[F, R, S], ABC):
+    """A pass that can keep the results of its chunks and take those of an earlier run.
+
+    Attributes:
+        kept: what was done before, and where what is done now is kept; None keeps nothing.
+    """
+
+    kept: UnitStore | None = None
+
+    def _pieces(self, chunks: list[Sequence[F]]) -> Iterator[tuple[list[R], S]]:
+        if self.kept is None:
+            yield from super()._pieces(chunks)
             return
         keys = [self._digest(chunk) for chunk in chunks]
-        missing = [key not in kept for key in keys]  # once: results come in this order
-        made = iter(self.executor.map(Work(self.task, compress(chunks, missing), frames_in_words)))
+        missing = [key not in self.kept for key in keys]  # once: results come in this order
+        made = super()._pieces(list(compress(chunks, missing)))
         for chunk, key, is_missing in zip(chunks, keys, missing, strict=True):
             if is_missing:
                 results, sums = next(made)
-                kept.add(key, results)
+                self.kept.add(key, results)
                 yield results, sums
-            elif (found := kept.result(key)) is not None:
+            elif (found := self.kept.result(key)) is not None:
                 yield found, self._sums_of(found)
             else:  # damaged on the disk
                 yield self.task(chunk)
 
+    @abstractmethod
     def _digest(self, chunk: Sequence[F]) -> str:
-        """Return a digest of the frames of this chunk and of the contents of their files; only runs
-        that keep checkpoints have one."""
-        raise NotImplementedError
+        """Return a digest of the frames of a chunk and of the contents of their files."""
 
+    @abstractmethod
     def _sums_of(self, results: Sequence[R]) -> S:
-        raise NotImplementedError
-
-    def _take(self, results: Sequence[R], sums: S) -> None:
-        """Add what a chunk brought, in the order of the chunks."""
+        """Return what the results of a chunk sum up to."""
 
 
 def frames_in_words(chunk: Sequence[NamedFrame | str]) -> str:

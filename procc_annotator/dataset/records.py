@@ -60,7 +60,8 @@ PointKey = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Comment:
-    """A remark on a frame; ``time`` in seconds since 1970, UTC."""
+    """A remark on a frame, or on a ``place`` in it (x, y in px of the picture); ``time`` in seconds
+    since 1970, UTC."""
 
     id: str
     frame: str
@@ -68,6 +69,7 @@ class Comment:
     time: float
     text: str
     resolved: bool = False
+    place: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, slots=True)

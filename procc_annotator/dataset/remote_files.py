@@ -127,6 +127,6 @@ def _store_of(path: Path) -> Iterator[tuple[Any, str]]:
         yield url_to_fs(url_of(path), use_listings_cache=False)
     except ProccError:
         raise
-    except Exception as error:
+    except Exception as error:  # the libraries of stores share no class of errors
         why = "no such file" if isinstance(error, FileNotFoundError) else f"{error or repr(error)}"
         raise InputError(url_of(path), f"cannot be transferred: {why}") from error

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
+from typing import Any
 
 from procc_annotator.errors import FieldError, InputError, UsageError
 from procc_annotator.field.file_reader import line_number_of, read_field
@@ -159,6 +160,7 @@ def _field_from_text(
         raise FieldError(path, f"is not valid TOML: {error}", advice=advice) from error
     dimensions = {name: value for name, _, value in chosen}
     try:
+        data = _with_base(path, data)
         field = read_field(path, data, dimensions, related=related)
         field = _with_distinct_name(field, path, dimensions, related)
         middle = (field.usual_lines if lines is None else lines) == MIDDLE_LINE
@@ -170,6 +172,31 @@ def _field_from_text(
             raise
         place = f"line {line}: {error.place}"
         raise FieldError(path, error.problem, place=place, advice=error.advice) from error
+
+
+def _with_base(path: Path, data: dict[str, Any]) -> dict[str, Any]:
+    """Add to a description what it leaves out of the shipped field that it is ``like``: keys of a
+    table and of an element of the same name; elements of its own come last."""
+    if "like" not in data:
+        return data
+    name = data["like"]
+    if name not in (known := field_names()):
+        problem = f"no such field{did_you_mean(str(name), known)}"
+        raise FieldError(path, problem, place="like", advice=f"known: {', '.join(known)}")
+    file = builtin_field_file(name)
+    base = _with_base(file, tomllib.loads(read_toml_text(file)))
+    found = base | {key: value for key, value in data.items() if key != "like"}
+    for key, table in base.items():
+        if isinstance(table, dict) and isinstance(data.get(key), dict):
+            found[key] = table | data[key]
+    own, shared = data.get("elements", []), base["elements"]
+    if isinstance(own, list) and all(isinstance(one, dict) for one in own):  # else it is refused
+        names = [element["name"] for element in shared]
+        found["elements"] = [
+            one | next((o for o in own if o.get("name") == one["name"]), {}) for one in shared
+        ]
+        found["elements"] += [one for one in own if one.get("name") not in names]
+    return found
 
 
 def place_in_file(field: Field, place: str) -> str:

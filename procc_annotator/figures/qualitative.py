@@ -80,20 +80,11 @@ def qualitative_figure(
                 draw_picture(axes, small, overlay, scale=scale, point=point)
                 _caption(axes, scene)
                 if y == _LINE:
-                    middle = (x + cell / 2) / width
-                    figure.text(
-                        middle, 1 - 2 / height, printable(method), ha="center", va="top", size=_FONT
-                    )
-            place = 1 - (y + high / 2) / height
-            figure.text(
-                2 / width,
-                place,
-                printable(scenes[0].title),
-                rotation=90,
-                va="center",
-                ha="left",
-                size=_FONT,
-            )
+                    place = (x + cell / 2) / width, 1 - 2 / height
+                    figure.text(*place, printable(method), ha="center", va="top", size=_FONT)
+            side_title: Any = {"rotation": 90, "va": "center", "ha": "left", "size": _FONT}
+            middle = 1 - (y + high / 2) / height
+            figure.text(2 / width, middle, printable(scenes[0].title), **side_title)
             y += high + _GAP
         handles = [_handle(entry) for entry in entries]
         figure.legend(

@@ -251,26 +251,7 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
     Raises:
         InputError: two files of one kind claim to be the camera of the same frame.
     """
-    suffixes = suffixes_of(fmt)
-
-    def wanted(name: str) -> bool:
-        suffix = splitext(name)[1].lower()
-        other = suffix == ".bin" and name not in PAIR_NAMES  # weights, points: of anything
-        return suffix in suffixes and name not in OWN_FILES and not other
-
-    names, in_tree = files_of(source, wanted)
-    if names and all(name.endswith(_PACKED) for name in names):  # of a season, at any depth
-        names = [name for name in source.tree() if name.endswith(_PACKED)]
-        in_tree = in_tree or any("/" in name for name in names)
-    names = [name for name in names if f"/{UNSURE_FOLDER}/" not in f"/{name}"]
-    if not names and fmt == "auto":
-        alone = [name for name in source.files() if splitext(name)[1].lower() in ALONE_SUFFIXES]
-        names, in_tree = (alone, False) if len(alone) == 1 else (names, in_tree)
-        if not alone:  # Calib.toml in the folder of each match
-            names = [n for n in source.tree() if _CALIBRATION.fullmatch(_file_of(n))]
-            in_tree = True
-    texts = {name for name in names if name.endswith(".txt")}
-    names = [n for n in names if not (n.endswith(".bin") and f"{n[:-4]}.txt" in texts)]
+    names, in_tree = _camera_names(source, fmt)
     frame_of = _frame_of_camera_in_tree if in_tree else camera_frame
     called = [(frame_of(name), name) for name in names]
     json = [one for one in called if splitext(one[1])[1].lower() in _JSON]
@@ -308,6 +289,30 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
             " (choose a camera format to have the other)",
         )
     return found
+
+
+def _camera_names(source: FileSource, fmt: str) -> tuple[list[str], bool]:
+    """Files of a format that may hold cameras, and whether they are those of a tree."""
+    suffixes = suffixes_of(fmt)
+
+    def wanted(name: str) -> bool:
+        suffix = splitext(name)[1].lower()
+        other = suffix == ".bin" and name not in PAIR_NAMES  # weights, points: of anything
+        return suffix in suffixes and name not in OWN_FILES and not other
+
+    names, in_tree = files_of(source, wanted)
+    if names and all(name.endswith(_PACKED) for name in names):  # of a season, at any depth
+        names = [name for name in source.tree() if name.endswith(_PACKED)]
+        in_tree = in_tree or any("/" in name for name in names)
+    names = [name for name in names if f"/{UNSURE_FOLDER}/" not in f"/{name}"]
+    if not names and fmt == "auto":
+        alone = [name for name in source.files() if splitext(name)[1].lower() in ALONE_SUFFIXES]
+        names, in_tree = (alone, False) if len(alone) == 1 else (names, in_tree)
+        if not alone:  # Calib.toml in the folder of each match
+            names = [n for n in source.tree() if _CALIBRATION.fullmatch(_file_of(n))]
+            in_tree = True
+    texts = {name for name in names if name.endswith(".txt")}
+    return [n for n in names if not (n.endswith(".bin") and f"{n[:-4]}.txt" in texts)], in_tree
 
 
 def _cameras_below(source: FileSource, names: Collection[str]) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QShowEvent
+from PySide6.QtGui import QCloseEvent, QCursor, QDragEnterEvent, QDropEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 
 from procc_annotator.gui.canvas.canvas import Canvas
@@ -63,6 +63,7 @@ from procc_annotator.gui.window.menus import Actions, ActionStates, FindingTips,
 from procc_annotator.gui.window.status import ErrorReports, IsolatedRow, MessageRouter, StatusLine
 from procc_annotator.gui.window.tool_bar import SideToolBar
 from procc_annotator.gui.window.top_bar import TopBar
+from procc_annotator.gui.window.tour import Tour
 from procc_annotator.gui.window.welcome import RecentMenu, Welcome
 from procc_annotator.gui.window.window_settings import BoundSettings, WindowState, apply_appearance
 from procc_annotator.gui.window.workspaces import TITLES, Workspaces, WorkspaceSwitch
@@ -171,6 +172,7 @@ class MainWindow(QMainWindow):
             self.assistant.key,
             self.ghost_tasks.key,
             self.stretch_accepting.key,
+            lambda name, shift: self.tour.key(name, shift),
         )
         self.triage = Triage(services, self)
         self.worst_first = WorstFirst(services, self)
@@ -189,13 +191,14 @@ class MainWindow(QMainWindow):
         self.commands = Commands(services, self.canvas, self.options, self)
 
     def _make_centre(self) -> None:
-        editing = self.services.editing
+        services, editing = self.services, self.services.editing
         self.message_bar = MessageBar(lambda name: self.actions_[name].trigger())
         self.frame_bar = Bar("frameBar")
         self.conflict_bar = ConflictBar(editing.reload_frame, editing.overwrite_frame)
         self.field_bar = FieldBar()
         self.field_choosing = FieldChoosing(self.services, self.settings, self.field_bar, self)
-        self.welcome = Welcome(self.opening, self.settings.get(RECENT))
+        self.tour = Tour(services, lambda dock: not self.docks[dock].visibleRegion().isEmpty())
+        self.welcome = Welcome(self.opening, self.tour.start, self.settings.get(RECENT))
         self.pages = QStackedWidget()
         self.pages.addWidget(self.welcome)
         self.pages.addWidget(self.canvas)
@@ -204,9 +207,10 @@ class MainWindow(QMainWindow):
         self.strips = FrameStrips(self.services, self.frames, self.strip)
         centre = QWidget()
         self._centre = vbox(self.pages, self.strips, of=centre, spacing=0, margins=0)
-        self._bars = (self.message_bar, self.frame_bar, self.conflict_bar, self.field_bar)
+        others = self.frame_bar, self.conflict_bar, self.field_bar
+        self._bars = (self.tour, self.message_bar, *others)
         self.bars = BarStack(self._bars, self.pages)
-        self.bars.heightChanged.connect(self.canvas.set_covered)
+        self.bars.heightChanged.connect(self.canvas.comparison.set_top)
         self.setCentralWidget(centre)
 
     def _make_panels(self) -> None:
@@ -245,13 +249,16 @@ class MainWindow(QMainWindow):
     def _connect(self) -> None:
         services = self.services
         services.store.watch(select.frame, self._refresh_frame)
-        services.store.watch(select.frame, self._fit_below_bars)
         self.opening.camerasTracked.connect(self.source_memory.add)
         self.opening.secondChosen.connect(services.second_annotator.open)
         self.services.second_annotator.opened.connect(self._show_second)
         for panel in (self.elements, self.frames, self.review, self.landmarks):
             panel.left.connect(self.canvas.setFocus)
         self.canvas.menuWanted.connect(self._show_menu)
+        chosen = services.review.commentChosen
+        chosen.connect(lambda _: self.panels.show_unless_hidden("review"))
+        fields = self.actions_.menus["File/Field"]
+        self.canvas.found_plate.clicked.connect(lambda: fields.popup(QCursor.pos()))
         self.canvas.panChanged.connect(lambda on: self.actions_.set_checked("pan", on))
         self.side_bar.looks.lookChanged.connect(self.canvas.shown.set_look)
         self.docks["plots"].visibilityChanged.connect(self.plots.set_in_sight)
@@ -281,11 +288,6 @@ class MainWindow(QMainWindow):
         if opened or (frame is not None and not self.canvas.hasFocus() and self.frames.isHidden()):
             self.canvas.setFocus()
 
-    def _fit_below_bars(self) -> None:
-        """A frame comes whole; while it is on screen no bar moves it."""
-        self.bars.place()
-        self.canvas.fit_below_cover()
-
     def _show_menu(self, at: QPoint) -> None:
         """The menu of what is under the cursor."""
         menu = canvas_menu(
@@ -303,6 +305,12 @@ class MainWindow(QMainWindow):
         menu.deleteLater()
 
     # --- panels ---------------------------------------------------------------------------
+
+    def comment_here(self) -> None:
+        """Begin a comment on the place that is pointed at; on the whole frame where none is."""
+        place = self.canvas.pointed_px
+        self.panels.enter("review")
+        self.services.review.begin_comment(place)
 
     def _show_strip(self) -> None:
         """The frames have one place: the strip, or the list; none where all panels are hidden."""

@@ -225,7 +225,7 @@ COLOUR_BY = Setting("colour_by", _one_of("criterion", "class", "origin", "annota
 FIT_MODEL = Setting("fit_model", _one_of(*MODELS), DEFAULT_MODEL,
                     "The camera that is fitted to the clicks; auto: the simplest that they support",
                     shown=Shown(_FIT, "Model of the live fit",
-                                tuple((name, name) for name in MODELS)))
+                                tuple(MODELS.items())))
 JUDGE_FIT = Setting("judge_fit", FLAG, False, "Whether the fit is judged where nothing else is",
                     shown=Shown(_FIT, "Judge the fit"))
 GHOST_SUPPORT = Setting("ghost_support", NUMBER, LEAST_SUPPORT,

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain, dropwhile, islice, pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import cv2
 import numpy as np
@@ -254,31 +254,31 @@ class PacketIndex:
         return bool((self.lost[needed] & after).any())
 
 
+class _Packets(NamedTuple):
+    """What a container says of its packets, in their order.
+
+    Attributes:
+        times: in units of the stream; None where none is stated.
+        keys, lost, unread: whether one can be decoded alone, is corrupt, or comes after a gap.
+        shown: places of those that are frames.
+        last_s: when the last one of any stream ends.
+    """
+
+    times: list[int | None]
+    keys: list[bool]
+    lost: list[bool]
+    unread: list[bool]
+    shown: list[int]
+    last_s: float
+
+
 def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
     """Read all packets of a video, without decoding them. `ImageError` if it cannot be opened, or
     has no packets."""
     container, stream = open_container(path)
-    times, keys, lost, unread = list[int | None](), list[bool](), list[bool](), list[bool]()
-    shown, end, skipped, last_s = list[int](), 0, False, 0.0
     with container:
         kind, unit = container.format.name, float(stream.time_base or 1)
-        contiguous = kind.startswith(("matroska", "avi"))
-        for packet in _packets(container):
-            begin = packet.pos or 0
-            skipped |= contiguous and 0 < end < begin - _PACKET_OVERHEAD_BYTES
-            end = max(end, begin + packet.size)
-            last_s = max(last_s, _end_s(packet))
-            if packet.stream_index != stream.index:
-                continue
-            # An edit list hides packets; VP8 has pictures that are only referred to.
-            hidden = stream.codec_context.name == "vp8" and not bytes(packet)[0] & 0x10
-            if not hidden and not packet.is_discard:
-                shown.append(len(times))
-            keys.append(packet.is_keyframe or not times)
-            times.append(packet.pts)
-            lost.append(packet.is_corrupt)
-            unread.append(skipped or packet.is_corrupt)
-            skipped = False
+        times, keys, lost, unread, shown, last_s = _read_packets(container, stream)
         # As the edit list leaves them; the stream's own number counts what it hides, too.
         declared = len(stream.index_entries) if "mp4" in kind else 0
         duration_s = (container.duration or 0) / 1e6
@@ -320,6 +320,29 @@ def read_packet_index(path: Path, first: list[int | None]) -> PacketIndex:
     numbers, every_place = np.full(len(times), -1), np.full(len(every), -1)
     numbers[places], every_place[known] = known, places
     return PacketIndex(times, times_s, numbers, every_place, np.array(keys), all_lost, cut_off)
+
+
+def _read_packets(container: InputContainer, stream: VideoStream) -> _Packets:
+    """Read what a container says of the packets of a stream."""
+    found, end, skipped, last_s = _Packets([], [], [], [], [], 0.0), 0, False, 0.0
+    contiguous = container.format.name.startswith(("matroska", "avi"))
+    for packet in _packets(container):
+        begin = packet.pos or 0
+        skipped |= contiguous and 0 < end < begin - _PACKET_OVERHEAD_BYTES
+        end = max(end, begin + packet.size)
+        last_s = max(last_s, _end_s(packet))
+        if packet.stream_index != stream.index:
+            continue
+        # An edit list hides packets; VP8 has pictures that are only referred to.
+        hidden = stream.codec_context.name == "vp8" and not bytes(packet)[0] & 0x10
+        if not hidden and not packet.is_discard:
+            found.shown.append(len(found.times))
+        found.keys.append(packet.is_keyframe or not found.times)
+        found.times.append(packet.pts)
+        found.lost.append(packet.is_corrupt)
+        found.unread.append(skipped or packet.is_corrupt)
+        skipped = False
+    return found._replace(last_s=last_s)
 
 
 def _end_s(packet: AnyPacket[Any]) -> float:

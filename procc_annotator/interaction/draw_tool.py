@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 from procc_annotator.annotation import FrameAnnotation, Point, point_from_px, points_px
 from procc_annotator.dataset import editing
 from procc_annotator.dataset.records import PointKey
+from procc_annotator.interaction.class_choice import UNNAMED
 from procc_annotator.interaction.gestures import (
     CONTINUE,
     DRAW,
@@ -24,6 +26,7 @@ from procc_annotator.interaction.gestures import (
     step_name,
 )
 from procc_annotator.interaction.overlay_primitives import NO_DRAFT_STATE, Draft, DraftState, Snap
+from procc_annotator.interaction.palette import PICK_RADIUS_PX
 from procc_annotator.translation import tr, tr_count
 
 
@@ -77,6 +80,10 @@ class DrawTool:
         is wanted."""
         self._spot_placed, self._cancelled = False, None
         if not self.busy:
+            if context.clicked_class is None and self._take_up(position, context):
+                edited = context.annotation.without(self.class_name or "")
+                label = step_name(CONTINUE, context.title(self.class_name or ""))
+                return Reaction(edit=Edit(label, edited), select=Selection(None))
             begun = context.clicked_class or context.unnamed
             if begun is None:
                 return Reaction(message=tr("choose an element first: field map, list, or its key"))
@@ -172,6 +179,18 @@ class DrawTool:
             return False
         self.class_name, self.unnamed = name, False
         return True
+
+    def _take_up(self, position: Position, context: ToolContext) -> bool:
+        """Go on with an unnamed line that waits unfinished, at its end at a position; False where
+        there is none."""
+        for waiting in context.annotation.unconfirmed:
+            points = [(x, y) for x, y in points_px(waiting, context.picture_size).tolist()]
+            ends = [math.dist(position, points[end]) * context.view_scale for end in (0, -1)]
+            if waiting.class_name.startswith(UNNAMED) and min(ends) <= PICK_RADIUS_PX:
+                self.points = points if ends[1] <= ends[0] else points[::-1]
+                self.class_name, self.unnamed, self._first = waiting.class_name, True, None
+                return True
+        return False
 
     def _place(self, name: str, position: Position, context: ToolContext) -> Reaction:
         """A single place: where it was clicked before it is no more."""

@@ -13,7 +13,7 @@ def place_apart(box: Box, taken: Sequence[Box], room: Box) -> Box:
     """The place nearest to where a text would go (left, top, right, bottom) that no text taken
     covers, and that is in sight in the room there is; ``box`` itself where there is no better
     one."""
-    return next((b for b in _around(box) if _within(b, room) and not covers(b, taken)), box)
+    return next((b for b in _around(box) if within(b, room) and not covers(b, taken)), box)
 
 
 def _around(box: Box) -> Iterator[Box]:
@@ -26,7 +26,8 @@ def _around(box: Box) -> Iterator[Box]:
                 yield x, y, x + wide, y + high
 
 
-def _within(box: Box, room: Box) -> bool:
+def within(box: Box, room: Box) -> bool:
+    """Return whether a box lies in another one."""
     return box[0] >= room[0] and box[1] >= room[1] and box[2] <= room[2] and box[3] <= room[3]
 
 

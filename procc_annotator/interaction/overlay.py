@@ -12,7 +12,7 @@ import numpy as np
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.arrays import FloatArray
 from procc_annotator.dataset.editing import PointRef
-from procc_annotator.dataset.records import Origin, OriginKind, PointKey
+from procc_annotator.dataset.records import Comment, Origin, OriginKind, PointKey
 from procc_annotator.dataset.review import StoredFinding
 from procc_annotator.field.model import Field
 from procc_annotator.interaction import palette as tones
@@ -181,6 +181,7 @@ class OverlayContent:
         found: of the label check, the surest first; None: it is not asked, and its groups are
             left out.
         dragged: elements that the mouse drags: `gesture_overlay` draws them.
+        comments: those pinned to a place, with their texts.
     """
 
     annotation: FrameAnnotation
@@ -200,6 +201,7 @@ class OverlayContent:
     ellipses: tuple[ShownEllipse, ...] = ()
     found: Sequence[StoredFinding] | None = None
     dragged: frozenset[str] = frozenset()
+    comments: tuple[tuple[str, Comment], ...] = ()
 
     @property
     def selected_class(self) -> str | None:
@@ -258,6 +260,7 @@ class OverlayBuilder:
         self._chosen = LastCallCache(_chosen_marks)
         self._signs = LastCallCache(finding_signs)
         self._distances = LastCallCache(_distance_labels)
+        self._comments = LastCallCache(_comment_pins)
 
     def build(self, shown: OverlayContent) -> Overlay:
         """Draw an annotation and what a camera makes of it."""
@@ -267,8 +270,9 @@ class OverlayBuilder:
         self._draw(annotation, shown.picture_size, shown.other)
         by_class = shown.colour_by != "criterion" or not verdict.by_criterion
         strokes = tuple(self._strokes(shown, verdict, by_class))
-        marks = tuple(self._marks(shown, verdict, by_class))
-        labels: tuple[Labels, ...] = (self._distances(verdict, shown.selected_class),)
+        pins, comments = self._comments(shown.comments)
+        marks = (*self._marks(shown, verdict, by_class), pins)
+        labels: tuple[Labels, ...] = self._distances(verdict, shown.selected_class), comments
         if shown.found is not None:
             looked_at = frozenset((shown.selected_class, shown.highlight))
             at = found_elements(shown.found, annotation)
@@ -444,6 +448,12 @@ def _chosen_marks(chosen: frozenset[PointRef], *drawn: Drawn) -> PointMarks:
 
 def _distance_labels(verdict: ScoredFrame, selected: str | None) -> Labels:
     return Labels(*verdict.labelled(selected), tones.LABEL)
+
+
+def _comment_pins(comments: tuple[tuple[str, Comment], ...]) -> tuple[PointMarks, Labels]:
+    places = np.array([c.place for _, c in comments], dtype=np.float64).reshape(-1, 2)
+    marks = PointMarks(places, "ring", tones.COMMENT, tones.SELECTED_POINT_SIZE)
+    return marks, Labels(places, tuple(text for text, _ in comments), tones.COMMENT)
 
 
 def _pointer_label(field: Field, name: str, at: tuple[float, float], draft: Draft | None) -> Labels:

@@ -47,6 +47,7 @@ CURSOR, CONTROL_POINT = "#56B4E9", "#FFFFFF"  # a camera that can be dragged, an
 FINDING = "#F0E442"  # signs of the label check; their shapes say how sure it is
 BAD_POINT_SIZE = 17.0
 SECOND = "#FFFFFF"  # what a second annotator clicked
+COMMENT = "#FFD27F"
 LANDING, LANDING_SIZE = "#FFFFFF", 9.0  # where snapping would put a click
 
 # How a point came to be, by the values of `OriginKind`: its tone and shape.

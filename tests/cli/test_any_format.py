@@ -147,7 +147,8 @@ def test_cameras_instead_of_annotations_are_told_by_their_format(cli, dataset, t
 def test_an_empty_annotation_is_not_taken_for_a_camera(cli, tmp_path):
     (tmp_path / "1.json").write_text('{"Middle line": []}')
     (tmp_path / "2.json").write_text("{}")
-    cli("check", tmp_path, "--no-line-evidence")
+    done = cli("check", tmp_path, "--no-line-evidence")
+    assert "2 frames have no element at all" in done.stdout
 
 
 def test_yolo_pose_is_told_where_annotations_are_asked_for(cli, dataset, tmp_path):

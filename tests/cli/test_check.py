@@ -86,9 +86,9 @@ def test_damaged_files_and_classes_that_stand_twice_are_told(cli, dataset, tmp_p
 
 
 def test_the_exit_code_can_depend_on_what_was_found(cli, dataset):
-    cli("check", dataset.root)
-    cli("check", dataset.root, "--fail-on", "error")
-    cli("check", dataset.root, "--fail-on", "warning", code=1)
+    done = cli("check", dataset.root)
+    assert cli("check", dataset.root, "--fail-on", "error").stdout == done.stdout
+    assert cli("check", dataset.root, "--fail-on", "warning", code=1).stdout == done.stdout
     swap(dataset.annotations, "1", FRONT, SMALL)
     cli("check", dataset.root, "--fail-on", "error", code=1)
 

@@ -115,7 +115,7 @@ ANNOTATES = """
         point = Point((step % 97) / 97, (step % 89) / 89)
         edited = editing.append_points(services.state.annotation, "Middle line", [point])
         services.editing.commit_edit("click", edited)
-        while not window.top_bar.saved.text().startswith("saved "):
+        while window.top_bar.saved.text() != "saved":
             application().processEvents()
         print(step, services.state.frame_index, len(edited.get("Middle line").points), flush=True)
 """

@@ -58,7 +58,7 @@ def test_frames_lie_in_folders_of_which_the_one_on_screen_is_open(frames):
 
 def test_going_on_opens_the_next_folder(services, frames):
     services.navigator.go_to(3)
-    frames._follow_frames()
+    frames._refresh()
     assert _rows(frames)[4:] == ["[b/img1]", "0", "1", "2"]
     assert _current(frames) == 5
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QInputDialog, QMenu
+from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
 from procc_annotator.annotation import Point
@@ -20,6 +20,7 @@ from procc_annotator.dataset.editing import append_points, delete_point
 from procc_annotator.dataset.records import OriginKind
 from procc_annotator.gui.commands import ghost_accepting
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.settings import GHOST_SUPPORT
 from procc_annotator.gui.state.prediction import ghosts as ghosts_module
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.window.menus import canvas_menu
@@ -196,7 +197,8 @@ class TestAccept:
         name = go(begun, hand, qtbot)
         hand.key(Key.Key_Return)
         assert begun.services.state.annotation.get(name) is not None
-        assert "1 end cannot be seen: the points stop before" in told[-1]
+        title = begun.services.state.field.title_of(name)
+        assert f"1 end of {title} cannot be seen: the points stop before" in told[-1]
 
     def test_enter_before_the_points_are_found_accepts_them_then(self, begun, hand, qtbot):
         hand.key(Key.Key_Tab)
@@ -263,9 +265,8 @@ class TestAccept:
         qtbot.waitUntil(lambda: services.state.frame_index == here)
         assert services.state.annotation.annotated == KEPT
 
-    def test_the_share_asked_for_is_kept(self, begun, hand, qtbot, told, monkeypatch):
-        monkeypatch.setattr(QInputDialog, "getInt", lambda *_: (100, True))
-        begun.actions_["ghost_support"].trigger()
+    def test_the_share_asked_for_is_kept(self, begun, hand, qtbot, told):
+        begun.settings.set(GHOST_SUPPORT, 1.0)
         assert begun.ghost_tasks.accepting.least_support == 1.0
         picture = np.full_like(begun.services.navigator.picture, 90)
         begun.services.store.update(picture=picture)

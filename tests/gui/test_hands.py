@@ -237,12 +237,27 @@ class TestLeaving:
         assert services.review.database.flush()
         left = pitch.with_name("left")  # as it lies there while the hand is still at it
         shutil.copytree(pitch, left, ignore=shutil.ignore_patterns("locks"))
-        later = make_window(left).services
-        waiting = later.state.annotation.get_unconfirmed(MIDDLE)
+        window = make_window(left)
+        waiting = window.services.state.annotation.get_unconfirmed(MIDDLE)
         assert len(waiting.points) == 2
+        assert "unfinished elements were kept: Halfway line" in window.status.hint.text()
         on_pitch.canvas.key("Enter")
         assert services.review.database.flush()
         assert not services.review.database.drafts()
+
+    def test_an_unnamed_unfinished_line_goes_on_where_its_end_is_clicked(self, on_pitch, clicks):
+        services = on_pitch.services
+        clicks.click(480, 130)
+        clicks.click(480, 330)
+        services.navigator.next_frame()
+        services.navigator.previous_frame()
+        assert len(services.state.annotation.unconfirmed) == 1
+        clicks.click(480, 131)
+        clicks.click(480, 60)
+        clicks.key(Qt.Key.Key_9)  # names it
+        clicks.key(Qt.Key.Key_Return)
+        assert px(on_pitch, MIDDLE)[:, 1].round() == pytest.approx([330, 130, 60], abs=2)
+        assert services.state.annotation.unconfirmed == ()
 
 
 class TestRegularise:

@@ -43,7 +43,9 @@ def test_signs_give_way_to_signs_and_a_text_without_room_is_left_out(qapp):
 
 def test_a_sign_stays_at_its_point_and_what_is_at_the_cursor_moves_nothing(qapp):
     def at(*groups: Labels) -> dict[str, tuple[float, ...]]:
-        return {p.text: p.place for p in arranged(groups, (1.0, 0.0, 0.0), ROOM)}
+        plates = arranged(groups, (1.0, 0.0, 0.0), ROOM)
+        assert not any(cover(a, b) for a, b in combinations(plates, 2))
+        return {p.text: p.place for p in plates}
 
     distance = Labels(AT[:1], ("5.7",), "#fff")
     sign = Labels(AT[:1], ("off",), "#fff", sign="error")

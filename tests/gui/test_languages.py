@@ -135,7 +135,7 @@ _EXAMPLE = re.compile(r"^.*?   ", re.MULTILINE)  # of what is typed into the fil
 _BUTTONS = {"OK", "Cancel", "Close", "Save", "Press shortcut"}
 _BUTTONS |= {"Export", "Export..."}  # of the plots' library; its menus are not shown
 # They would leave the dataset, or the test.
-_NOT_CALLED = {"quit", "open_sample"}
+_NOT_CALLED = {"quit", "open_sample", "tour"}
 
 
 def _left_out(found: Iterable[tuple[str, str]]) -> dict[str, str]:

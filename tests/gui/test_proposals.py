@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 
 from procc_annotator.calibration.result import FitResult, external_camera_fit
 from procc_annotator.calibration.single_image.proposal import Proposal, ProposalState
@@ -148,6 +149,14 @@ class TestAFrameWithoutAnnotation:
         assert entries(bare) == {}
         assert [source.name for source in window.services.state.sources] == []
 
+    def test_enter_goes_on_to_the_next_element_also_where_ghosts_are(self, window, finder, hand_on):
+        there = ghosts(window)
+        window.services.selection.select_class(there[0])
+        hand = hand_on(window)
+        (hand.click(40, 40), hand.click(90, 70))
+        QTest.keyClick(window.canvas, Key.Key_Return)
+        assert window.services.state.selected_class in there[1:]
+
     def test_unsure_cameras_look_unsure(self, make_window, bare, finder, qtbot):
         finder.state, finder.reason = "unsure", "another camera fits nearly as well"
         window = make_window(bare)
@@ -155,7 +164,17 @@ class TestAFrameWithoutAnnotation:
         all_done(qtbot)
 
         assert tones.UNSURE_GHOST in tones_of(window)
-        assert window.canvas.found_plate.text.startswith("Camera found, unsure: another camera")
+        plate = window.canvas.found_plate
+        assert plate.text.startswith("Camera found, unsure: another camera")
+        assert "Shift+Enter accepts, Delete rejects" in plate.text
+        there = ghosts(window)
+        QTest.keyClick(window.canvas, Qt.Key.Key_Delete)
+        all_done(qtbot)
+        assert plate.text.startswith("No camera found: you rejected it")
+        assert ghosts(window) == []
+        QTest.keyClick(window.canvas, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+        all_done(qtbot)
+        assert ghosts(window) == there
 
     def test_without_a_camera_the_reason_is_said(self, make_window, bare, finder, qtbot, hand_on):
         finder.state, finder.reason = "none", "no paint of this field was found"
@@ -164,8 +183,18 @@ class TestAFrameWithoutAnnotation:
         all_done(qtbot)
 
         assert ghosts(window) == []
-        first = "Draw 3 elements first, two of which meet"
-        assert window.canvas.found_plate.text == f"No camera found: {finder.reason}. {first}"
+        plate = window.canvas.found_plate
+        advice = "draw 3 elements, two of which meet, such as Far touchline, Centre circle, Halfway"
+        assert plate.text.startswith(f"No camera found: {finder.reason}. To begin, {advice} line")
+        said = heard(window.services)
+        QTest.keyClick(window.canvas, Qt.Key.Key_Tab)
+        assert advice in said[-1]  # the same
+        menu = window.actions_.menus["File/Field"]
+        QTest.mouseClick(plate, Qt.MouseButton.LeftButton)
+        assert menu.isVisible()
+        menu.close()
+        QTest.keyClick(window.canvas, Qt.Key.Key_Return)
+        assert window.services.state.selected_class == "Side line top"
 
     def test_every_frame_is_looked_at_once_and_its_neighbours_before_they_are_come_to(
         self, window, finder, qtbot

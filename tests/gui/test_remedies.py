@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QApplication, QFileDialog
 
 from procc_annotator.dataset.records import Status
 from procc_annotator.errors import SaveError
@@ -70,6 +70,7 @@ def test_copies_of_what_is_not_saved_go_elsewhere(
         assert bar.label.text().count("could not be saved") == 1
         assert bar.remedy.text() == "Save copies to…"
         patch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path / "copies"))
+        QApplication.processEvents()  # the bar takes its place
         QTest.mouseClick(bar.remedy, Qt.MouseButton.LeftButton)
         copy = tmp_path / "copies" / "frame_0.json"
         qtbot.waitUntil(copy.exists)

@@ -5,7 +5,8 @@ import sqlite3
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtTest import QTest
 
 from procc_annotator.dataset.database.database import WorkspaceDatabase
@@ -75,9 +76,9 @@ class TestStatus:
         services.navigator.go_to(1)
         services.editing.commit_frame()
         services.navigator.go_to(0)
-        StatusWalk(services).go_unfinished(1)
+        StatusWalk(services).go("unfinished", 1)
         assert services.state.frame_index == 2
-        StatusWalk(services).go_unfinished(-1)
+        StatusWalk(services).go("unfinished", -1)
         assert services.state.frame_index == 0
 
     def test_a_rejected_frame_is_found_and_editing_it_reopens_it(self, services):
@@ -85,7 +86,7 @@ class TestStatus:
         services.review.set_status("frame_2", Status.REJECTED)
         assert status(services, 2) is Status.REJECTED
         services.navigator.go_to(0)
-        StatusWalk(services).go_rejected()
+        StatusWalk(services).go("rejected", 1)
         assert services.state.frame_index == 2
         draw(services, MIDDLE)
         assert status(services, 2) is Status.IN_PROGRESS
@@ -154,6 +155,37 @@ class TestComments:
         item.setCheckState(Qt.CheckState.Checked)
         (settled,) = services.review.comments("frame_0")
         assert settled.resolved
+
+    @pytest.mark.parametrize("way", ["key", "menu"])
+    def test_a_comment_is_pinned_to_a_place(self, window, hand, qtbot, monkeypatch, way):
+        panel, place = window.review, hand.picture(300, 200)
+        hand.move(300, 200)
+        if way == "key":
+            QTest.keyClick(window.canvas, Qt.Key.Key_M, CTRL | SHIFT)
+        else:
+            menu, at = "procc_annotator.gui.window.menus._CanvasMenu.exec", hand.at(300, 200)
+            monkeypatch.setattr(menu, lambda menu, _: menu.actions()[-1].trigger())
+            mouse = QContextMenuEvent.Reason.Mouse
+            window.canvas.contextMenuEvent(QContextMenuEvent(mouse, at, at))
+        qtbot.waitUntil(panel.text.hasFocus)
+        qtbot.keyClicks(panel.text, "wrong line")
+        QTest.keyClick(panel.text, Qt.Key.Key_Return)
+        (comment,) = window.services.review.comments("frame_0")
+        assert comment.place == pytest.approx(place)
+        window.services.review.add_comment("frame_0", "of the whole frame")
+        qtbot.waitUntil(lambda: panel.comments.count() == 2)
+        assert not panel.comments.selectedItems()
+        on_pin = hand.at(312, 185)
+        qtbot.waitUntil(lambda: window.canvas.comment_at(QPointF(on_pin)) == comment)
+        QTest.mouseClick(window.canvas.viewport(), Qt.MouseButton.LeftButton, pos=on_pin)
+        assert not window.canvas.editor.drawing
+        assert [i.text()[:3] for i in panel.comments.selectedItems()] == ["✎ 1"]
+        assert window.finding_tips.tip_at(QPointF(on_pin)) == "wrong line"
+        item = panel.comments.visualItemRect(panel.comments.item(0)).center()
+        QTest.mouseClick(panel.comments.viewport(), Qt.MouseButton.LeftButton, pos=item)
+        assert (window.canvas.place.x, window.canvas.place.y) == pytest.approx(place, abs=1)
+        window.services.review.resolve_comment(comment, True)
+        assert window.services.review.pins == {}
 
     def test_escape_gives_the_keyboard_back(self, window, hand):
         window.panels.enter("review")

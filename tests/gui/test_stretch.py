@@ -111,6 +111,19 @@ def test_what_is_taken_back_is_not_followed_again(window, shot, qtbot, monkeypat
     assert files(shot) == []  # another frame is meant
 
 
+def test_unsure_frames_are_gone_through_from_the_least_sure_to_the_last(window, qtbot):
+    window.stretch_accepting.unsure = {2: 0.7, 5: 0.2, 8: 0.9}
+    window.services.navigator.go_to(2)
+    said, places, alt = heard(window.services), [], Qt.KeyboardModifier.AltModifier
+    for _ in range(4):
+        press(window, Key.Key_PageDown, alt)
+        places.append(window.services.state.frame_index)
+        all_done(qtbot)
+    assert places == [5, 2, 8, 5]
+    assert [text.split(",")[0] for text in said] == ["1 of 3", "2 of 3", "3 of 3", "1 of 3"]
+    assert ["last one" in text for text in said] == [False, False, True, False]
+
+
 def test_nothing_is_accepted_while_the_shot_is_followed(window, monkeypatch):
     monkeypatch.setattr(type(window.shot_following), "running", True)
     said = heard(window.services)
@@ -136,6 +149,9 @@ def test_doubtful_frames_are_accepted_by_pressing_once_more(window, shot, qtbot,
 
     accept(window, qtbot)
     assert said[-1] == "no frame to accept: all that were followed are annotated"
+    window.services.navigator.go_to(2)
+    press(window, Key.Key_Z, CTRL)
+    assert said[-1].startswith("undone: annotate 2 frames")
 
 
 def test_all_frames_doubtful_the_reason_is_said_before_any_is_accepted(

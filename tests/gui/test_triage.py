@@ -21,6 +21,7 @@ from procc_annotator.gui.panels.frames import FramesPanel
 from procc_annotator.gui.panels.scores import ScoresPanel
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.services import Services
+from procc_annotator.interaction.hints import KEYS, SEPARATOR
 from procc_annotator.metrics.score import explain_score, worst_elements_first
 from tests.gui.conftest import Hand, OpenServices, all_done, heard
 
@@ -335,6 +336,25 @@ class TestStatusLine:
         all_done(qtbot)
         window.services.navigator.next_frame()
         assert "finished" in self.told(window)
+
+    def test_what_was_said_of_an_act_goes_with_the_next_one(self, window, qtbot):
+        hand = Hand(window)
+        window.services.navigator.go_to(4)
+        QTest.keyClick(window.canvas, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+        assert "nothing to undo" in self.told(window)
+        all_done(qtbot)
+        window.services.selection.select_class("Middle line")
+        hand.click(400, 200)
+        assert "nothing to undo" not in self.told(window)
+
+    def test_a_long_message_leaves_the_keys_of_the_hint(self, window):
+        hint = window.status.hint
+        window.status.tell("accepted 1 of 5 ghosts; skipped (under 50% visible): " + "front, " * 20)
+        keys = hint.text().rpartition(KEYS)[2].split(SEPARATOR)
+        shown = hint.text_for(1000)
+        assert shown.startswith("accepted 1 of 5 ghosts; skipped")
+        assert keys[0] in shown
+        assert hint.fontMetrics().horizontalAdvance(shown) <= 1000
 
 
 class TestExplainer:

@@ -4,10 +4,11 @@ from collections.abc import Iterator
 from itertools import combinations
 
 import pytest
-from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtWidgets import QApplication, QTabBar, QWidget
 
 from procc_annotator.gui.main_window import MainWindow
+from procc_annotator.gui.panels.elements import NAME
 from procc_annotator.gui.settings import take_up
 from procc_annotator.gui.window.tool_bar import IconButton
 from tests.gui.conftest import Hand
@@ -66,6 +67,28 @@ def test_the_class_under_the_pen_is_read(make_window, dataset, text_size, qtbot)
     assert not end or title.endswith(end)
     assert len(begin + end) >= 14
     hand.key(Qt.Key.Key_Escape)
+
+
+@pytest.mark.parametrize("language", ["en", "de", "ja"])
+def test_titles_of_elements_are_whole(make_window, dataset, qapp, qtbot, language):
+    try:
+        take_up(qapp, language)
+        tree = make_window(dataset, size=(1280, 720)).elements.tree
+        qtbot.waitUntil(lambda: tree.width() <= 280)
+        QApplication.processEvents()
+        groups = [tree.topLevelItem(i) for i in range(tree.topLevelItemCount())]
+        items = [group.child(i) for group in groups for i in range(group.childCount())]
+        assert len(items) > 30
+        for item in items:
+            row, title = tree.visualItemRect(item), item.text(NAME)
+            room = tree.columnWidth(NAME) - tree.indentation() - tree.iconSize().width() - 10
+            wrapped = tree.fontMetrics().boundingRect(
+                QRect(0, 0, room, 0), Qt.TextFlag.TextWordWrap, title
+            )
+            assert wrapped.height() <= row.height(), title
+            assert wrapped.width() <= room, title
+    finally:
+        take_up(qapp, "en")
 
 
 def test_the_layout_goes_back_to_what_it_was_at_first(make_window, dataset, qtbot):

@@ -85,6 +85,13 @@ def unlikely_in_sight(
     return frozenset(name for name, share in zip(views.names, seen, strict=True) if share < few)
 
 
+def often_in_sight(field: Field, size: tuple[int, int]) -> tuple[str, ...]:
+    """The lines of a field, those first that most of the usual cameras show."""
+    views, _ = _weighted_views(field, size, {})
+    seen = (np.isfinite(views.x).mean(axis=0) > _SHOWN_SHARE).sum(axis=1)
+    return tuple(views.names[row] for row in np.argsort(-seen, kind="stable"))
+
+
 def _weighted_views(
     field: Field, size: tuple[int, int], known: Mapping[str, FloatArray]
 ) -> tuple[_ExpectedViews, Float32]:
@@ -143,7 +150,7 @@ def _expected_views(
         px[~(shown & inside)] = np.nan
         if np.isfinite(px[:, 0]).any():
             found.append(px.reshape(len(lines), _SAMPLES_PER_ELEMENT, 2).astype(np.float32))
-    places = np.array(found, dtype=np.float32).reshape(-1, len(lines), _SAMPLES_PER_ELEMENT, 2)
+    places = np.array(found, np.float32).reshape(len(found), len(lines), _SAMPLES_PER_ELEMENT, 2)
     x, y = np.ascontiguousarray(places.T)
     return _ExpectedViews(tuple(e.name for e in lines), x, y)
 

@@ -221,9 +221,7 @@ def _with_sport_hint(found: Proposal, field: Field) -> Proposal:
     """Ask for the sport where no camera was found."""
     if found.state != NONE:
         return found
-    hint = translatable(
-        "is this {field}, and no other sport? {why}", field=field.title, why=found.reason
-    )
+    hint = translatable("is this {field}? {why}", field=field.title, why=found.reason)
     return replace(found, fit=replace(found.fit, failure=hint), reason=hint)
 
 

@@ -97,9 +97,13 @@ class MetadataCache:
         record = self.record(frame)
         self._known.records[frame] = replace(record, seconds=record.seconds + seconds)
 
-    def add_comment(self, frame: str, text: str) -> Comment:
-        """Remark something on a frame."""
-        comment = Comment(uuid.uuid4().hex, frame, self.author, time.time(), text)
+    def add_comment(
+        self, frame: str, text: str, place: tuple[float, float] | None = None
+    ) -> Comment:
+        """Remark something on a frame, or on a ``place`` in it (px of the picture)."""
+        comment = Comment(uuid.uuid4().hex, frame, self.author, time.time(), text, place=place)
+        if place is not None:  # first, so that no other window reads the comment without it
+            self._put_write(write(schema.PLACE_COMMENT, comment.id, *place))
         self._put_write(schema.comment_write(comment))
         self._set_comments(frame, (*self.comments(frame), comment))
         return comment

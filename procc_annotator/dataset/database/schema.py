@@ -73,6 +73,12 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         "CREATE TABLE not_visible(frame TEXT, element TEXT, hidden INTEGER NOT NULL,"
         " author TEXT NOT NULL, time REAL NOT NULL, PRIMARY KEY(frame, element)) WITHOUT ROWID",
     ),
+    (
+        # Comments on places, px of the picture; the others have no row. A table of its own, so
+        # that those of an older backup are read as they are.
+        "CREATE TABLE comment_place(id TEXT PRIMARY KEY, x REAL NOT NULL, y REAL NOT NULL)"
+        " WITHOUT ROWID",
+    ),
 )
 
 Value = str | bytes | float | int | None
@@ -143,6 +149,7 @@ _COLUMNS: dict[str, Callable[[Value], object]] = {
     "fault": _one_of(FaultParty, ""),
     **dict.fromkeys(("resolved", "hidden"), lambda value: bool(as_number(value))),
     **dict.fromkeys(("seconds", "u", "v", "time"), as_number),
+    **dict.fromkeys(("x", "y"), lambda value: None if value is None else as_number(value)),
     **dict.fromkeys(("data", "digest"), as_bytes),
 }
 
@@ -179,6 +186,7 @@ SET_COMMENT = (
     " VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
     " ON CONFLICT(id) DO UPDATE SET resolved = excluded.resolved"
 )
+PLACE_COMMENT = "INSERT OR REPLACE INTO comment_place(id, x, y) VALUES(?1, ?2, ?3)"
 PUT_ORIGIN = (
     "INSERT OR REPLACE INTO origin(frame, u, v, kind, author, time) VALUES(?1, ?2, ?3, ?4, ?5, ?6)"
 )
@@ -245,9 +253,12 @@ def load(connection: sqlite3.Connection) -> Snapshot:
         known.records[frame] = FrameRecord(status or Status.UNTOUCHED, committed)
     for frame, seconds in read(connection, "frame, sum(seconds) AS seconds", "work GROUP BY frame"):
         known.records[frame] = replace(known.records.get(frame, FrameRecord()), seconds=seconds)
-    comments = "id, frame, author, time, text, resolved"
-    for row in read(connection, comments, "comment ORDER BY seq"):
-        comment = Comment(*row)
+    comments = "id, frame, author, time, text, resolved, x, y"
+    placed = "comment LEFT JOIN comment_place USING(id) ORDER BY seq"
+    for row in read(connection, comments, placed):
+        comment = Comment(*row[:6])
+        if None not in row[6:]:
+            comment = replace(comment, place=row[6:])
         remarks = known.comments.get(comment.frame, ())
         known.comments[comment.frame] = (*remarks, comment)
     for frame, remarks in known.comments.items():
@@ -335,7 +346,7 @@ def write(sql: str, *values: Value) -> Write:
 
 def comment_write(comment: Comment, sql: str = ADD_COMMENT) -> Write:
     """Add a comment, or with SET_COMMENT settle it."""
-    return write(sql, *astuple(comment))
+    return write(sql, *astuple(comment)[:6])
 
 
 def verdict_write(verdict: Verdict, *, withdrawn: bool = False) -> Write:

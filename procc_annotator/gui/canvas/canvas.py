@@ -15,6 +15,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QLineEdit, QToolTip
 
+from procc_annotator.dataset.records import Comment
 from procc_annotator.gui.canvas.camera_drag import CameraDrag
 from procc_annotator.gui.canvas.canvas_keys import HeldKey, HeldKeys, KeyPointing, modifiers_of
 from procc_annotator.gui.canvas.comparison import OtherSources
@@ -76,6 +77,7 @@ class Canvas(PictureView):
         )
         self.keep_zoom = False
         self.cursor_px: tuple[float, float] | None = None
+        self._menu_px: tuple[float, float] | None = None  # where the menu was asked for
         self._hint = ""
         self._hint_soon = after_paint(self, self._say_hint)
         # While the user drags something, who only reads where it is can wait for the next frame.
@@ -122,11 +124,6 @@ class Canvas(PictureView):
         self.camera_drag.item.set_area(self.sceneRect())
         self.keys.keep_within()
         self.drawing.refresh_everywhere()
-
-    def set_covered(self, height: int) -> None:
-        """Bars lie over the top: what is pinned there makes room, the picture stays."""
-        super().set_covered(height)
-        self.comparison.set_top(height)
 
     def _show_whole(self) -> None:
         """The whole picture is there, or it turned out that it cannot be read."""
@@ -231,13 +228,25 @@ class Canvas(PictureView):
         self.drawing.refresh_gesture()
         self._say_cursor()
 
+    @property
+    def pointed_px(self) -> tuple[float, float] | None:
+        """Return the place that the menu, the crosshair or the mouse is at, picture px."""
+        return self._menu_px or self.keys.crosshair.px or self.cursor_px
+
+    def comment_at(self, cursor: QPointF) -> Comment | None:
+        """Return the comment whose pin is at a position of the viewport."""
+        place = self.viewportTransform().inverted()[0].map(cursor)
+        return self._services.review.pins.get(self.overlay_item.text_at(place))
+
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         event.accept()
         if self.editor.holding or self.camera_drag.dragging or self.panning:
             return  # a menu would take the release that ends it
         if event.reason() == QContextMenuEvent.Reason.Mouse:
-            self.editor.point_at(self.to_picture(QPointF(event.pos())))
+            self._menu_px = self.to_picture(QPointF(event.pos()))
+            self.editor.point_at(self._menu_px)
             self.menuWanted.emit(event.globalPos())
+            self._menu_px = None
             return
         at = self.viewport().rect().center()
         if (px := self.keys.crosshair.px) is not None:
@@ -258,6 +267,10 @@ class Canvas(PictureView):
         if self._wants_pan(event):
             self._start_pan(event)
         elif event.button() == Qt.MouseButton.LeftButton and not self.panning:
+            comment = self.comment_at(event.position())
+            if comment is not None and not self.editor.drawing:
+                self._services.review.commentChosen.emit(comment)
+                return
             self.cursor_px = self.to_picture(event.position())
             self._services.navigator.see_whole()  # its lines are snapped to
             self.editor.press(self.cursor_px, modifiers_of(event.modifiers()))

@@ -131,6 +131,7 @@ class OverlayDrawing(QObject):
         )
         services.review.originsChanged.connect(self._refresh_origins)
         services.second_annotator.changed.connect(self.refresh)
+        services.review.statusChanged.connect(self._soon.start)  # or its comments
         # Comes next to signals that draw at once: one drawing is enough for both.
         services.label_check.changed.connect(self._soon.start)
         services.store.watch(select.cameras, self._refresh_others)
@@ -293,6 +294,7 @@ class OverlayDrawing(QObject):
             ellipses=services.landmarks.ellipses.value or (),
             found=services.label_check.shown,
             dragged=self._dragged,
+            comments=tuple(services.review.pins.items()),
         )
 
     def _origins(self) -> Mapping[PointKey, Origin] | None:

@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 from procc_annotator.calibration.label_check.finding import Severity
 from procc_annotator.gui.canvas.finding_sign import paint_finding_sign
 from procc_annotator.interaction import palette as tones
-from procc_annotator.interaction.label_placement import covers, place_apart
+from procc_annotator.interaction.label_placement import covers, place_apart, within
 from procc_annotator.interaction.overlay_primitives import Box, CursorSigns, Labels
 
 # Of the height of the text.
@@ -95,7 +95,8 @@ def arranged(
     times: float = 1.0,
 ) -> tuple[Plate, ...]:
     """Return where texts go so that they do not cover each other, signs of findings before others;
-    a text without room is left out. What is at the cursor stays there, and nothing gives way to it.
+    a text without room is left out. Nothing gives way to what is at the cursor: that goes to a
+    corner of its point where it covers no other, if there is one.
     What needs painting does not matter: a part that is painted anew fits the rest.
 
     Args:
@@ -118,9 +119,10 @@ def arranged(
                 box = place_label(point, size, seen, unit, below=labels.below)
                 found.append(Plate(labels, row, _box(box)))
     shown, taken = list[Plate](), [place for labels in groups for place in labels.covered]
-    for plate in sorted(found, key=lambda plate: not plate.labels.sign):
+    for plate in sorted(found, key=lambda plate: (plate.labels.carried, not plate.labels.sign)):
         if plate.labels.carried:
-            shown.append(plate)
+            free = (c for c in _corners(plate, at) if within(c, room) and not covers(c, taken))
+            shown.append(plate._replace(place=next(free, plate.place)))
             continue
         # A sign beyond the edge stays there.
         stays = plate.labels.sign and not covers(plate.place, taken)
@@ -129,6 +131,16 @@ def arranged(
             taken.append(place)
             shown.append(plate._replace(place=place))
     return tuple(shown)
+
+
+def _corners(plate: Plate, at: tuple[float, float, float]) -> tuple[Box, ...]:
+    """Return the place of a text, and those mirrored at its point."""
+    x, y = plate.labels.positions[plate.row].tolist()
+    across, down = 2 * (x * at[0] + at[1]), 2 * (y * at[0] + at[2])
+    left, top, right, bottom = plate.place
+    columns = (left, right), (across - right, across - left)
+    rows = (top, bottom), (down - bottom, down - top)
+    return tuple((a, c, b, d) for a, b in columns for c, d in rows)
 
 
 def paint_plates(

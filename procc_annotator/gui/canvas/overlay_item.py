@@ -245,6 +245,14 @@ class OverlayItem(QGraphicsItem):
         for area in self._painted_at.areas_of(was ^ now):
             self.update(area & self._area)
 
+    def text_at(self, place: QPointF) -> str:
+        """Return the text that covers a place, scene coordinates; empty where none does."""
+        seen = self._painted_at
+        for text in seen.beside_points(self._texts) if seen is not None else ():
+            if seen is not None and seen.areas_of(frozenset((text,)))[0].contains(place):
+                return text[1]
+        return ""
+
     @property
     def _texts(self) -> tuple[Labels, ...]:
         """Return the texts that give way to each other."""
@@ -255,7 +263,9 @@ class OverlayItem(QGraphicsItem):
         seen, after = self._painted_at, self._texts
         if seen is None or before == after:
             return []
-        return seen.areas_of(seen.beside_points(before) ^ seen.beside_points(after))
+        cursor = self.gesture.labels
+        was, now = seen.beside_points((*before, *cursor)), seen.beside_points((*after, *cursor))
+        return seen.areas_of(was ^ now)
 
     def _room(self, viewport: QSize) -> QRectF:
         """Return what can be seen of this item, in points of the viewport."""
@@ -306,7 +316,7 @@ class OverlayItem(QGraphicsItem):
                 paint_overlay(
                     painter, layer, scale=scale, offset=offset, clip=clip, room=seen,
                     text_times=text_times(),
-                    texts=() if layer.labels is self.gesture.labels else self._texts,
+                    texts=(*self._texts, *self.gesture.labels),
                 )  # fmt: skip
 
     @property

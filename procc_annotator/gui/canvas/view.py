@@ -101,7 +101,6 @@ class PictureView(QGraphicsView):
         # All of it is painted by the view itself: Qt need not fill it before.
         self.viewport().setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self._fitted = True
-        self._covered = self._left_free = 0
         self._space_held = self._panned = False
         self.pan_tool = False  # whether the left button moves the picture
         self._pan_from: QPoint | None = None
@@ -151,7 +150,7 @@ class PictureView(QGraphicsView):
             return 1.0
         fitting = min(
             (room.width() - 2 * _FIT_MARGIN) / area.width(),
-            (room.height() - self._covered - 2 * _FIT_MARGIN) / area.height(),
+            (room.height() - 2 * _FIT_MARGIN) / area.height(),
         )
         return min(max(fitting, 1e-3), MAX_SCALE)
 
@@ -159,21 +158,9 @@ class PictureView(QGraphicsView):
         """Show the whole picture; it stays whole when the window is resized."""
         scale = self.fit_scale
         self.setTransform(QTransform.fromScale(scale, scale))
-        self.centerOn(
-            self.picture_item.boundingRect().center() - QPointF(0, self._covered / 2 / scale)
-        )
-        self._fitted, self._left_free = True, self._covered
+        self.centerOn(self.picture_item.boundingRect().center())
+        self._fitted = True
         self.viewChanged.emit()
-
-    def set_covered(self, height: int) -> None:
-        """So many screen px at the top lie under something from now on; what is shown stays where
-        it is, the next fit leaves them free."""
-        self._covered = height
-
-    def fit_below_cover(self) -> None:
-        """Show a picture that is shown whole so that nothing covers any of it."""
-        if self._fitted and self._left_free != self._covered:
-            self.fit()
 
     def set_scale(self, scale: float, anchor: QPointF | None = None) -> None:
         """Zoom, keeping the picture position under ``anchor`` (viewport; default its middle)."""

@@ -323,6 +323,8 @@ _GREY = tones.UNKNOWN_CLASS
 class FoundPlate(NamePlate):
     """Says whether a camera is looked for, sure, unsure or none, and why; in words and colour."""
 
+    clicked = Signal()  # where none was found: maybe it is another sport
+
     def __init__(self, services: Services, view: PictureView) -> None:
         super().__init__(view.viewport(), "foundPlate")
         self._services, self._viewport = services, view.viewport()
@@ -334,6 +336,9 @@ class FoundPlate(NamePlate):
     def _show(self) -> None:
         said = self._words()
         self.setVisible(said is not None)
+        found = self._services.proposals.here
+        transparent = Qt.WidgetAttribute.WA_TransparentForMouseEvents
+        self.setAttribute(transparent, found is None or found.state != NONE)
         if said is not None:
             self.say(*said)
             self._stand()
@@ -368,11 +373,19 @@ class FoundPlate(NamePlate):
         why = proposal.reason
         if proposal.state == NONE:
             return tr(
-                "No camera found: {why}. Draw 3 elements first, two of which meet", why=why
+                "No camera found: {why}. To begin, {advice} (Enter takes the first). Another sport?"
+                " Click here",
+                why=why,
+                advice=services.ghosts.advice,
             ), _GREY
         if proposal.state == SURE:
             return tr("Camera found, sure: {why}", why=why), tones.PASSES
-        return tr("Camera found, unsure: {why}", why=why), tones.UNSURE_GHOST
+        said = tr("Camera found, unsure: {why}. Shift+Enter accepts, Delete rejects it", why=why)
+        return said, tones.UNSURE_GHOST
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        self.clicked.emit()
 
 
 def _of_corrected(corrected: CameraCorrection, *, looking: bool) -> tuple[str, str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -17,7 +17,6 @@ from procc_annotator.batch.triage import (
     set_disagreement,
     worst_frames_first,
 )
-from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
 from procc_annotator.dataset.records import Status
 from procc_annotator.dataset.workspace import Workspace
@@ -34,14 +33,7 @@ from procc_annotator.translation import tr, word
 _SLOWEST_MS = 1000  # between frames that lie seconds apart, nobody wants to wait as long
 
 
-# (forward, what is looked for) -> what is said if absent.
-_ANNOTATED, _DOUBTFUL = "annotated", "doubtful"
-_NO_OTHER = {
-    (True, _ANNOTATED): word("no frame after this one is annotated"),
-    (False, _ANNOTATED): word("no frame before this one is annotated"),
-    (True, _DOUBTFUL): word("no frame after this one is doubtful"),
-    (False, _DOUBTFUL): word("no frame before this one is doubtful"),
-}
+_NO_OTHER = word("no further frame this way: {what}")
 
 
 class ShotWalk(QObject):
@@ -59,6 +51,7 @@ class ShotWalk(QObject):
         """Stay where it is; ``unsure`` has the probabilities of frames by index."""
         super().__init__(window)
         self._services, self._window, self._unsure = services, window, unsure
+        self._walked: Mapping[int, float] = {}  # the unsure frames that are gone through
         self._at: int | None = None  # where playing is
         self._clock = QTimer(self, singleShot=True)
         self._clock.timeout.connect(self._play_on)
@@ -74,12 +67,6 @@ class ShotWalk(QObject):
             index = self._services.state.frame_index + frames
             self._services.navigator.come_to(min(max(index, 0), len(workspace.frames) - 1))
 
-    def go_anchor(self, step: int) -> None:
-        """Go to the nearest annotated frame after (1) or before (-1) this one."""
-        indices = self._services.annotated_frames.indices
-        if self._has_order():
-            self._go(indices, step, _ANNOTATED)
-
     def go_doubtful(self, step: int) -> None:
         """Go through the frames that are not sure, the least sure first; without such to the
         nearest frame whose track is in doubt, after (1) or before (-1) this one."""
@@ -88,7 +75,7 @@ class ShotWalk(QObject):
             return
         sequence = self._services.sequence.value
         tracked = self._services.shot_track.tracked
-        if sequence is None or not self._has_order():
+        if not self._has_order() or sequence is None:
             return
         if self._services.state.blind:
             self._services.say(tr("blind mode: how the track does is hidden"))
@@ -96,31 +83,30 @@ class ShotWalk(QObject):
         if not tracked:
             self._services.say(tr("no shot was followed yet (T)"))
             return
-        index_of = sequence.index_of
-        self._go((index_of[n] for n in index_of if _doubtful(tracked, n)), step, _DOUBTFUL)
+        here = self._services.state.frame_index
+        index_of, known = sequence.index_of, tracked.keys() & sequence.index_of.keys()
+        doubtful = [index_of[number] for number in known if review_reason(tracked[number])]
+        if beyond := [index for index in doubtful if (index - here) * step > 0]:
+            self._services.navigator.come_to(min(beyond) if step > 0 else max(beyond))
+        else:
+            self._services.say(tr(_NO_OTHER, what=tr("none is doubtful")))
 
     def _go_unsure(self, step: int) -> None:
         here, workspace = self._services.state.frame_index, self._services.state.workspace
         assert workspace is not None
-        found = self._unsure().items()
-        unsure = {i: p for i, p in found if i == here or not is_annotated(workspace, i)}
+        unsure = self._unsure()
+        begun, self._walked = unsure is self._walked and here in unsure, unsure
         order = sorted(unsure, key=lambda index: (unsure[index], index))
-        if not [index for index in order if index != here]:
+        left = [p for p, i in enumerate(order) if i != here and not is_annotated(workspace, i)]
+        if not left:
             self._services.say(tr("no other frame is unsure"))
             return
-        place = (order.index(here) + step) % len(order) if here in unsure else 0
+        at = order.index(here) if begun else -1
+        place = ([p for p in left if (p - at) * step > 0] or left)[0 if step > 0 else -1]
         self._services.navigator.go_to(order[place])
-        self._services.say(
-            tr("{place} of {total}, the least sure first", place=place + 1, total=len(order))
-        )
-
-    def _go(self, indices: Iterable[int], step: int, what: str) -> None:
-        here = self._services.state.frame_index
-        beyond = [index for index in indices if (index - here) * step > 0]
-        if beyond:
-            self._services.navigator.come_to(min(beyond) if step > 0 else max(beyond))
-        else:
-            self._services.say(tr(_NO_OTHER[step > 0, what]))
+        words = tr("{place} of {total}, the least sure first", place=place + 1, total=len(order))
+        last = tr("this is the last one") if place == left[-1] else ""
+        self._services.say("; ".join(filter(None, (words, last))))
 
     def _has_order(self) -> bool:
         if self._services.sequence.value is None:
@@ -185,9 +171,13 @@ class ShotWalk(QObject):
         self._clock.start(min(_SLOWEST_MS, round(1000 * apart / sequence.fps)))
 
 
-def _doubtful(tracked: Mapping[int, TrackedFrame], number: int) -> bool:
-    frame = tracked.get(number)
-    return frame is not None and bool(review_reason(frame))
+# Whether a frame, of an index and a status, is of a kind; what is said if absent.
+_KINDS: dict[str, tuple[Callable[[Workspace, int, Status], bool], str]] = {
+    "annotated": (lambda w, index, _: is_annotated(w, index), word("none is annotated")),
+    "unannotated": (lambda w, index, _: not is_annotated(w, index), word("all are annotated")),
+    "unfinished": (lambda *frame: frame[2] in UNFINISHED, word("all are done or approved")),
+    "rejected": (lambda *frame: frame[2] is Status.REJECTED, word("none is rejected")),
+}
 
 
 class StatusWalk:
@@ -196,64 +186,22 @@ class StatusWalk:
     def __init__(self, services: Services) -> None:
         self._services = services
 
-    def go_last(self) -> None:
-        """The last frame."""
-        if (workspace := self._services.state.workspace) is not None:
-            self._services.navigator.go_to(len(workspace.frames) - 1)
-
-    def go_unannotated(self, step: int) -> None:
-        """The nearest frame without annotation after (1) or before (-1) this one."""
-        self._go(
-            step,
-            lambda workspace, index: not is_annotated(workspace, index),
-            tr("every frame after this one is annotated")
-            if step > 0
-            else tr("every frame before this one is annotated"),
-        )
-
-    def go_unfinished(self, step: int) -> None:
-        """The nearest frame after (1) or before (-1) this one that is neither done nor approved."""
-        self._go(
-            step,
-            lambda workspace, index: self._status(workspace, index) in UNFINISHED,
-            tr("every frame after this one is done or approved")
-            if step > 0
-            else tr("every frame before this one is done or approved"),
-        )
-
-    def go_rejected(self) -> None:
-        """The next rejected frame; after the last one it begins again."""
-        self._go(
-            1,
-            lambda workspace, index: self._status(workspace, index) is Status.REJECTED,
-            tr("no other frame is rejected"),
-            around=True,
-        )
-
-    def _status(self, workspace: Workspace, index: int) -> Status:
-        return self._services.review.status(workspace.frames[index].name)
-
-    def _go(
-        self,
-        step: int,
-        wanted: Callable[[Workspace, int], bool],
-        none_left: str,
-        *,
-        around: bool = False,
-    ) -> None:
+    def go(self, kind: str, step: int) -> None:
+        """Go to the nearest frame of a kind (of `_KINDS`) after (1) or before (-1) this one; for
+        rejected ones it begins again after the last."""
         services, workspace = self._services, self._services.state.workspace
         if workspace is None:
             return
+        wanted, what = _KINDS[kind]
         here, count = services.state.frame_index, len(workspace.frames)
         ahead = range(here + step, count if step > 0 else -1, step)
-        order = [*ahead, *(range(here) if around else ())]
+        order = [*ahead, *(range(here) if kind == "rejected" else ())]
         within = services.navigator.within
-        shown = (index for index in order if within is None or index in within)
-        found = next((index for index in shown if wanted(workspace, index)), None)
-        if found is None:
-            services.say(none_left)
-        else:
-            services.navigator.go_to(found)
+        for index in order if within is None else [index for index in order if index in within]:
+            if wanted(workspace, index, services.review.status(workspace.frames[index].name)):
+                services.navigator.go_to(index)
+                return
+        services.say(tr(_NO_OTHER, what=tr(what)))
 
 
 Order = Literal["jac", "error", "disagreement"]

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QInputDialog, QWidget
 
 from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.assist.frame_analysis import FrameAnalysis
@@ -51,12 +50,9 @@ class GhostAccepting(QObject):
     progressed = Signal(int, int)  # looking for points; (0, 0) once that is over
     accepted = Signal(tuple)  # the classes that are elements now
 
-    def __init__(
-        self, services: Services, window: QWidget, settings: Settings, parent: QObject
-    ) -> None:
+    def __init__(self, services: Services, settings: Settings, parent: QObject) -> None:
         super().__init__(parent)
         self._services, self._say = services, services.say
-        self._window = window
         self._settings = settings
         self._looking = LatestOnlyTask(
             self, lambda text: self.drop(text, "warning"), priority=Priority.URGENT
@@ -185,12 +181,6 @@ class GhostAccepting(QObject):
         ends = sum(f.unsure_ends for f in found)
         if not ends:
             return ""
-        if len(found) == 1:
-            return tr_count(
-                ends,
-                "{n} end cannot be seen: the points stop before",
-                "{n} ends cannot be seen: the points stop before",
-            )
         return tr_count(
             ends,
             "{n} end of {elements} cannot be seen: the points stop before",
@@ -299,24 +289,6 @@ class GhostAccepting(QObject):
     def _end(self) -> None:
         self._asked = None
         self.progressed.emit(0, 0)
-
-    # --- the setting ----------------------------------------------------------------------
-
-    def ask_support(self) -> None:
-        """Ask for the share of a line that must be seen."""
-        share, given = QInputDialog.getInt(
-            self._window,
-            tr("Accept all ghosts"),
-            tr(
-                "How much of a ghost's line must be seen for it to be accepted with all others (%):"
-            ),
-            round(100 * self.least_support),
-            0,
-            100,
-            5,
-        )
-        if given:
-            self._settings.set(GHOST_SUPPORT, share / 100)
 
     # --- inside ---------------------------------------------------------------------------
 

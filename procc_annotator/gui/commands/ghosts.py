@@ -42,7 +42,7 @@ class GhostCommands(QObject):
         self._services, self._say = services, services.say
         self._ghosts = services.ghosts
         self._canvas = canvas
-        self.accepting = GhostAccepting(services, canvas, settings, self)
+        self.accepting = GhostAccepting(services, settings, self)
         self._before: _Before | None = None
         self._shown: str | None = None  # the class of the ghost the view went to
         self._choosing = False
@@ -84,25 +84,13 @@ class GhostCommands(QObject):
         if insight.fit.camera is None and self._services.proposals.working:
             return tr("no ghosts: the camera is looked for in the picture")
         if insight.fit.camera is None and not self._services.state.annotation.annotated:
-            return self._why_not_found()
+            return tr("no ghosts: no camera is known; {advice}", advice=self._ghosts.advice)
         if insight.fit.camera is None:
             why = insight.fit.failure or tr("no camera fits yet")
             return tr("no ghosts: {why}", why=why)
         if not self._ghosts.known:
             return tr("no ghosts: what else is in sight is annotated, or not known well enough")
         return ""
-
-    def _why_not_found(self) -> str:
-        """Nothing is annotated, and no camera was found without that."""
-        services = self._services
-        if services.proposals.here is None:
-            return tr("no ghosts: annotate three or four elements, a camera follows from them")
-        if services.sequence.value is None:
-            return tr("no camera was found in this picture: draw three or four elements")
-        return tr(
-            "no camera was found in this picture: draw three or four elements, or follow the shot"
-            " (T)"
-        )
 
     def _why_off(self) -> str:
         """Return why no ghosts are shown, whatever the clicks say; empty if they are."""
@@ -203,12 +191,15 @@ class GhostCommands(QObject):
     # --- keys -----------------------------------------------------------------------------
 
     def key(self, name: str, shift: bool) -> bool:
-        """Take Enter, Shift+Enter, Escape or Undo while nothing is drawn; False if it is not meant
-        for ghosts."""
+        """Take Enter, Shift+Enter, Escape, Delete or Undo while nothing is drawn; False if it is
+        not meant for ghosts."""
         services, ghosts = self._services, self._ghosts
+        free = services.state.selected_class is None and services.state.frame is not None
         if name in ("Escape", "Undo") and self.accepting.busy:
             self.accepting.drop(tr("taken back") if name == "Undo" else "")
             return True
+        if name in ("Delete", "Undo") and free and services.shot_track.fit_here is None:
+            return services.proposals.reject(name == "Delete")
         if name == "Escape" and ghosts.walking:
             ghosts.leave()
             return True
@@ -223,6 +214,10 @@ class GhostCommands(QObject):
                 return True
         if ghosts.walking:
             self.accept()
+            return True
+        first = ghosts.first_to_draw if free and services.state.mode == "draw" else ()
+        if first and not ghosts.painted and not services.state.annotation.polylines:
+            services.selection.select_class(first[0])
             return True
         return False
 
@@ -312,14 +307,6 @@ class GhostCommands(QObject):
 
 
 def _passed_end(left: int, *, last: bool) -> str:
-    if last:
-        return tr_count(
-            left,
-            "that was the last ghost; {n} ghost left, Tab begins again",
-            "that was the last ghost; {n} ghosts left, Tab begins again",
-        )
-    return tr_count(
-        left,
-        "that was the first ghost; {n} ghost left, Tab begins again",
-        "that was the first ghost; {n} ghosts left, Tab begins again",
-    )
+    end = tr("that was the last ghost") if last else tr("that was the first ghost")
+    more = tr_count(left, "{n} ghost left, Tab begins again", "{n} ghosts left, Tab begins again")
+    return f"{end}; {more}"

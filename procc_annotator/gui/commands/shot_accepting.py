@@ -31,7 +31,7 @@ from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import Level
 from procc_annotator.image.decoding import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.translation import tr, tr_count, translatable, word
+from procc_annotator.translation import tr, tr_count, translatable, translatable_count, word
 
 _NOTHING = FrameAnnotation(())
 _ANNOTATED = word("it is annotated by now")
@@ -318,7 +318,12 @@ class StretchAccepting(QObject):
             self._put[index] = before
             return before
 
-        return self._edit(index, change, translatable("accept the track"))
+        count = len(self._found)
+        return self._edit(
+            index,
+            change,
+            translatable_count(count, "annotate {n:,} frame", "annotate {n:,} frames"),
+        )
 
     def _empty_frame(self, index: int) -> str:
         def change(before: FrameAnnotation) -> FrameAnnotation | str:
@@ -328,7 +333,7 @@ class StretchAccepting(QObject):
                 before = before.without(polyline.class_name)
             return before
 
-        return self._edit(index, change, translatable("take back the track"))
+        return self._edit(index, change, translatable("take back accepted elements"))
 
     def _edit(
         self, index: int, change: Callable[[FrameAnnotation], FrameAnnotation | str], label: str

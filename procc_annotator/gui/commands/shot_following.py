@@ -36,8 +36,8 @@ _UNSURE_HERE = word(
     " accept its lines (Shift+Enter), then T follows them"
 )
 _NONE_SURE = word(
-    "no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter) or"
-    " annotate it, then T follows it"
+    "no frame of the shot has a camera that is sure: accept the lines of one (Shift+Enter), or"
+    " {advice}; then T follows it"
 )
 
 
@@ -192,7 +192,7 @@ class ShotFollowing(QObject):
         shot_track = self._services.shot_track
         shot_track.take(found, is_shot=is_shot)
         if all(frame.fit is None for frame in found.frames):
-            self._services.say(tr(_NONE_SURE))
+            self._services.say(tr(_NONE_SURE, advice=self._services.ghosts.advice))
             return
         doubtful = sum(bool(review_reason(frame)) for frame in found.frames)
         self._services.say(_followed(len(found.frames), doubtful))

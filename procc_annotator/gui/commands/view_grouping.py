@@ -118,15 +118,17 @@ def _together(sizes: list[int]) -> str:
 class _FramesModel(widgets.RowsModel[_Row]):
     """Frames with what the pattern makes of their names; those it does not fit are last."""
 
+    def texts(self, row: _Row) -> list[str]:
+        return [text or _ALONE for text in row]
+
+    def tip(self, row: _Row) -> str:
+        alone = tr("This name does not fit the pattern: the frame stands alone")
+        return "" if row[0] else alone
+
     def data(self, index: widgets.Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        fits = bool(self.rows[index.row()][0])
-        if role == Qt.ItemDataRole.DisplayRole:
-            return self.rows[index.row()][index.column()] or _ALONE
-        if role == Qt.ItemDataRole.ForegroundRole and not fits:
+        if role == Qt.ItemDataRole.ForegroundRole and not self.rows[index.row()][0]:
             return muted(QApplication.palette())
-        if role == Qt.ItemDataRole.ToolTipRole and not fits:
-            return tr("This name does not fit the pattern: the frame stands alone")
-        return None
+        return super().data(index, role)
 
 
 class ViewDialog(TaskDialog):

@@ -44,6 +44,7 @@ from procc_annotator.gui.panels.widgets import (
     vbox,
 )
 from procc_annotator.gui.state.camera_sources import CameraSource
+from procc_annotator.gui.state.prediction.live_fit import MODELS
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import blend, fixed_width
 from procc_annotator.interaction.palette import SOURCE_COLOURS
@@ -147,7 +148,8 @@ class SourceRow(QFrame):
             label.setText(text)
             label.setToolTip(tip)
         self.model.set_text(self._model())
-        self.model.setToolTip(self.model.text())
+        known = (MODELS.get(model.removeprefix("pinhole ")) for model in source.models)
+        self.model.setToolTip("\n".join([self.model.text(), *map(tr, filter(None, known))]))
         problem = self._problem()
         show_note(self.problem, f"⚠ {problem}" if problem else "")
 
@@ -189,7 +191,7 @@ class SourceRow(QFrame):
             words = known.model
         if camera is not None and projects_only_ground(camera):
             words = tr("{model} (ground)", model=words)
-        return tr("{model} here, several models", model=words) if len(models) > 1 else words
+        return tr("{model} here", model=words) if len(models) > 1 else words
 
     def _matched(self) -> tuple[str, str]:
         """Return how many frames have a camera, and which of these cannot be used."""
@@ -201,7 +203,7 @@ class SourceRow(QFrame):
             return words, tr(_FOLLOWED_TIP)
         if source.files is None:
             count = len(cameras.frames)
-            words = tr_count(count, "{n:,} frame fitted", "{n:,} frames fitted")
+            words = tr_count(count, "{n:,} opened frame", "{n:,} opened frames")
             return words, tr(_FITTED_TIP)
         if workspace is None or not workspace.frames:
             return tr_count(len(cameras.frames), "{n:,} camera", "{n:,} cameras"), ""

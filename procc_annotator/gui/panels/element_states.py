@@ -35,7 +35,7 @@ class ElementState(Enum):
 
 
 _NOT_VISIBLE_DASH = (1.0, 4.0)
-_SIDE = 14  # logical px of a symbol in a row
+SIDE = 14  # logical px of a symbol in a row
 
 WORDS = {
     ElementState.UNTOUCHED: "",
@@ -170,11 +170,11 @@ def symbol_icon(state: ElementState, view: QWidget) -> QIcon:
 def _symbol_icon(state: ElementState, usual: int, selected: int, dpr: float) -> QIcon:
     icon = QIcon()
     for colour, mode in ((usual, QIcon.Mode.Normal), (selected, QIcon.Mode.Selected)):
-        pixmap = QPixmap(round(_SIDE * dpr), round(_SIDE * dpr))
+        pixmap = QPixmap(round(SIDE * dpr), round(SIDE * dpr))
         pixmap.setDevicePixelRatio(dpr)
         pixmap.fill(Qt.GlobalColor.transparent)
         painter = QPainter(pixmap)
-        paint_symbol(painter, QRectF(0, 0, _SIDE, _SIDE), state, QColor.fromRgba(colour))
+        paint_symbol(painter, QRectF(0, 0, SIDE, SIDE), state, QColor.fromRgba(colour))
         painter.end()
         icon.addPixmap(pixmap, mode)
     return icon

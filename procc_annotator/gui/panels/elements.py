@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from PySide6.QtCore import QEvent, QModelIndex, QObject, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QObject, QRect, QSize, Qt
 from PySide6.QtGui import QBrush, QFont, QIcon, QResizeEvent
 from PySide6.QtWidgets import (
     QHeaderView,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
     QTreeWidget,
     QTreeWidgetItem,
 )
@@ -19,6 +21,7 @@ from procc_annotator.gui.canvas.finding_sign import finding_icon
 from procc_annotator.gui.keymap import NATIVE, element_keys, short_text
 from procc_annotator.gui.panels.element_states import (
     EXPLANATIONS,
+    SIDE,
     ElementState,
     class_swatch,
     element_states,
@@ -29,6 +32,7 @@ from procc_annotator.gui.panels.element_states import (
 from procc_annotator.gui.panels.finding_rows import findings_by_element, reasons_of
 from procc_annotator.gui.panels.widgets import (
     NARROW,
+    Index,
     Pages,
     Panel,
     named,
@@ -45,6 +49,18 @@ NAME, KEY, POINTS, STATUS = range(4)
 _CLASS = Qt.ItemDataRole.UserRole
 _OTHER_GROUP = word("Without geometry")
 _UNKNOWN_GROUP = word("Unknown to the field (unknown classes)")
+
+
+class _WholeTitles(QStyledItemDelegate):
+    """Breaks a title that is wider than its column into lines."""
+
+    def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
+        tree = option.widget
+        assert isinstance(tree, QTreeWidget)
+        whole = not index.parent().isValid()  # a group's title has all columns
+        room = tree.width() if whole else tree.columnWidth(NAME) - tree.indentation()
+        option.rect = QRect(0, 0, room, 1)
+        return super().sizeHint(option, index)
 
 
 class ElementsPanel(Panel):
@@ -82,12 +98,13 @@ class ElementsPanel(Panel):
             hint, "elements_search", self._apply_search, keys=self._search_key
         )
         self.tree = named(QTreeWidget(columnCount=4), "elements_tree", title=tr("Elements"))
-        self.tree.setUniformRowHeights(True)
+        self.tree.setWordWrap(True)
+        self.tree.setItemDelegateForColumn(NAME, _WholeTitles(self.tree))
         self.tree.setRootIsDecorated(False)
         self.tree.setHeaderLabels([tr("Element"), tr("Key", "keyboard"), "", ""])
         self.tree.headerItem().setToolTip(POINTS, tr("Annotated points"))
         self.tree.setIndentation(4)
-        self.tree.setTextElideMode(Qt.TextElideMode.ElideMiddle)
+        self.tree.setIconSize(QSize(SIDE, SIDE))
         self.tree.setMouseTracking(True)
         self.tree.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click leaves the keys to the canvas
         self.tree.setEditTriggers(QTreeWidget.EditTrigger.NoEditTriggers)
@@ -96,6 +113,7 @@ class ElementsPanel(Panel):
         header.setStretchLastSection(False)
         header.setMinimumSectionSize(4)  # an empty column leaves its room to the names
         header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
+        header.sectionResized.connect(self.tree.scheduleDelayedItemsLayout)
         for column in (KEY, POINTS, STATUS):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         self.tree.itemClicked.connect(self._choose)
@@ -226,7 +244,8 @@ class ElementsPanel(Panel):
         most = max((count for _, count, *_ in self._shown.values()), default=0)
         states = {state for state, _, narrow, _ in self._shown.values() if not narrow}
         widest = max(map(self.fontMetrics().horizontalAdvance, map(words_for, states)), default=0)
-        room = len(str(most)), widest, self._narrow, signs
+        symbols = any(state is not ElementState.UNTOUCHED for state, *_ in self._shown.values())
+        room = len(str(most or "")), widest, symbols, self._narrow, signs
         if room != self._room:
             self._room = room
             self.tree.scheduleDelayedItemsLayout()

@@ -10,7 +10,6 @@ from typing import Protocol
 from PySide6.QtCore import QEvent, QModelIndex, QSize, Qt, QTextBoundaryFinder
 from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
-    QComboBox,
     QHBoxLayout,
     QProgressBar,
     QPushButton,
@@ -132,7 +131,6 @@ def so_many(severity: Severity, count: int) -> str:
             return tr_count(count, "{n:,} hint", "{n:,} hints")
 
 
-_FRAME, _SET = range(2)
 _MOST_REMEDIES = 4
 
 
@@ -197,10 +195,11 @@ class FindingsPanel(Panel):
         )
 
     def _make_head(self) -> QHBoxLayout:
-        title = tr("Which findings are listed")
-        self.scope = named(QComboBox(), "findings_scope", title=title)
-        self.scope.addItems([tr("This frame"), tr("Whole set")])
-        self.scope.currentIndexChanged.connect(lambda _: self._refresh())
+        tip = tr("List the findings of all checked frames, errors first, or of this frame")
+        self.scope = named(QPushButton(tr("Whole set")), "findings_scope", tip=tip)
+        self.scope.setCheckable(True)
+        self.scope.toggled.connect(lambda _: self._refresh())
+        self._check.finished.connect(lambda _: self.scope.setChecked(True))
         self.severity_buttons: dict[Severity, QToolButton] = {}
         head = hbox((self.scope, 1), spacing=2)
         for severity in Severity:
@@ -239,10 +238,10 @@ class FindingsPanel(Panel):
 
     def _refresh(self) -> None:
         check, frame = self._check, self._services.state.frame
-        whole_set = self.scope.currentIndex() == _SET
+        whole_set = self.scope.isChecked()
         every: list[Entry]
         if whole_set:
-            every = list(check.known.in_set())
+            every = sorted(check.known.in_set(), key=lambda one: one[1].finding.severity.rank)
         else:
             every = [(frame.name, found) for found in check.shown] if frame is not None else []
         counts = by_severity(found for _, found in every)

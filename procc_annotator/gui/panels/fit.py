@@ -155,15 +155,6 @@ def pose_figures(fit: FitResult) -> list[tuple[str, str, str]]:
     ]
 
 
-MODEL_WORDS = {
-    "auto": word("chosen automatically"),
-    "H": word("H: homography of the ground"),
-    "P": word("P: pinhole"),
-    "R": word("R: pinhole, lens distortion"),
-    "R+": word("R+: R, aspect ratio, principal point"),
-    "R2": word("R2: R+, second radial coefficient"),
-    "F": word("F: fisheye"),
-}
 _GREY_AFTER_MS = 100  # most fits are there by then
 
 
@@ -196,7 +187,7 @@ class FitPanel(Panel):
         self.model = choice(
             "fit_model",
             tip=tr("What is fitted. Automatically: the simplest model that the clicks support"),
-            items=[(tr(MODEL_WORDS[model]), model) for model in MODELS],
+            items=[(tr(words), model) for model, words in MODELS.items()],
             chosen=self._services.live_fit.set_model,
         )
         self.content = ScrolledContent()
@@ -346,7 +337,7 @@ class FitPanel(Panel):
 
 
 def _chosen_words(fit: FitResult) -> str:
-    words = tr(MODEL_WORDS.get(fit.model, fit.model))
+    words = tr(MODELS.get(fit.model, fit.model))
     if fit.chosen_because is None:
         return words
     return tr("{model}. Chosen: {why}", model=words, why=fit.chosen_because)

@@ -99,7 +99,10 @@ class _RowPainter:
         self._paint_thumbnail(thumb, info.thumbnail)
         box = rect.adjusted(_THUMB.width() + 2 * _PAD + 2, _PAD, -_PAD - 2, -_PAD)
         upper, lower = self._lines(box, info.jac)
-        self._paint_text(upper, info.name, self._text)
+        if self._fits(info.name) <= upper.width():
+            self._paint_text(upper, info.name, self._text)
+        else:
+            lower = self._paint_long_name(upper | lower, info.name)
         marker = tr("⚠ unreadable") if info.unreadable else tr("● not saved") if info.dirty else ""
         if info.camera_problem and not marker:
             marker = tr("⚠ camera")
@@ -157,6 +160,17 @@ class _RowPainter:
         painter.setPen(colour)
         shown = painter.fontMetrics().elidedText(text, middle, box.width())
         painter.drawText(box, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, shown)
+
+    def _paint_long_name(self, box: QRect, name: str) -> QRect:
+        """Paint a name on two lines, and return what is left below them."""
+        metrics, width = self._painter.fontMetrics(), box.width()
+        line = metrics.height()
+        box.adjust(0, 1 - _PAD, 0, _PAD - 1)
+        self._painter.setPen(self._text)
+        shown = metrics.elidedText(name, Qt.TextElideMode.ElideMiddle, 2 * width - line)
+        where = QRect(box.left(), box.top(), width, 2 * line)
+        self._painter.drawText(where, Qt.TextFlag.TextWrapAnywhere, shown)
+        return box.adjusted(0, 2 * line, 0, 0)
 
     def _paint_arrow(self, box: QRectF, folded: bool) -> None:
         """An angle that points to the right where it is folded, and down where it is not."""

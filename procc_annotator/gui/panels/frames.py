@@ -175,7 +175,7 @@ class FramesPanel(Panel):
         self._build()
         services.store.watch(select.dataset, self._take_dataset)
         # After the canvas was painted: no one looks at the list first.
-        self._soon = after_paint(self, self._follow_frames)
+        self._soon = after_paint(self, self._refresh)
         self._revealed = -1  # the frame that folders were unfolded for last
         self._due: set[int] = set()  # frames on screen since the list was brought up to date
         services.store.watch(select.annotation, self._follow_soon)
@@ -378,7 +378,7 @@ class FramesPanel(Panel):
         self._due.add(self._services.state.frame_index)
         self._soon.start()
 
-    def _follow_frames(self) -> None:
+    def _refresh(self) -> None:
         for index in self._due:
             self.model.recount(index)
             self.model.repaint(index)

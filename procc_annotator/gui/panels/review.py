@@ -29,6 +29,7 @@ from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.availability import as_sentence, no_frame
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.theme import muted
+from procc_annotator.interaction.gestures import Position
 from procc_annotator.interaction.palette import ORIGINS
 from procc_annotator.translation import tr, tr_count, word
 
@@ -50,8 +51,10 @@ class ReviewPanel(Panel):
         super().__init__(services, "review_panel")
         self._shown: tuple[Comment, ...] = ()
         self._build()
-        self._typed: dict[str, str] = {}  # comments under way, by frame
+        # Comments under way and their places, by frame.
+        self._typed: dict[str, tuple[str, Position | None]] = {}
         self._typed_on: str | None = None
+        services.review.commentChosen.connect(self._choose)
         services.store.watch(select.dataset, self._begin_dataset)
         services.store.watch(select.frame, self._begin_frame)
         self._begin_frame()
@@ -77,16 +80,17 @@ class ReviewPanel(Panel):
         self.comments = named(CommentList(), "reviewThread", title=tr("Comments"))
         self.comments.setWordWrap(True)
         self.comments.setSpacing(3)
-        self.comments.setSelectionMode(QListWidget.SelectionMode.NoSelection)
         self.comments.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.comments.itemChanged.connect(self._settle)
+        self.comments.itemClicked.connect(self._go_to)
+        self.comments.itemActivated.connect(self._go_to)
         right, wrong = tr("This frame is right (Ctrl+Shift+A)"), tr("Send it back (Ctrl+Shift+X)")
         self.approve = make_button(tr("Approve"), lambda: self.give("approved"), tip=right)
         self.reject = make_button(tr("Reject"), lambda: self.give("rejected"), tip=wrong)
         self.empty = QLabel(tr("No comments on this frame."))
         self.empty.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        hint = tr("Comment on this frame")
-        self.text = search_line(hint, "reviewText", keys=self._text_key)
+        self.text = search_line("", "reviewText", title=tr("Comments"), keys=self._text_key)
+        self.text.editingFinished.connect(self._drop_empty)
         self.text.setClearButtonEnabled(False)
         tip = tr("Add the comment to the thread (Enter)")
         self.send = make_button(tr("Add"), self._send, tip=tip)
@@ -137,6 +141,8 @@ class ReviewPanel(Panel):
             )
         self.origins.setText("<br>".join(lines))
         self._show_thread(services.review.comments(frame.name))
+        on_place = tr("Comment on this place") if services.review.new_place else ""
+        self.text.setPlaceholderText(on_place or tr("Comment on this frame"))
 
     def _show_blind(self, frame: str) -> None:
         """Show whether the clicks were committed before any camera was shown."""
@@ -158,10 +164,12 @@ class ReviewPanel(Panel):
         self._shown = comments
         self.comments.blockSignals(True)
         self.comments.clear()
-        for comment in comments:
+        for number, comment in enumerate(comments, start=1):
             when = datetime.fromtimestamp(comment.time)
-            item = QListWidgetItem(f"{comment.author}, {when:%Y-%m-%d %H:%M}\n{comment.text}")
-            item.setFlags(Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsUserCheckable)
+            pin = f"✎ {number}  " if comment.place else ""
+            said = f"{pin}{comment.author}, {when:%Y-%m-%d %H:%M}\n{comment.text}"
+            item = QListWidgetItem(said)
+            item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(
                 Qt.CheckState.Checked if comment.resolved else Qt.CheckState.Unchecked
             )
@@ -172,6 +180,11 @@ class ReviewPanel(Panel):
             self.comments.addItem(item)
         self.comments.blockSignals(False)
         self.comments.scrollToBottom()
+
+    def _choose(self, comment: Comment) -> None:
+        """Select a comment that was chosen on the picture."""
+        if comment in self._shown:
+            self.comments.setCurrentRow(self._shown.index(comment))
 
     # --- doing ----------------------------------------------------------------------------
 
@@ -191,17 +204,31 @@ class ReviewPanel(Panel):
     def _send(self) -> None:
         frame = self._services.state.frame
         if frame is not None and self.text.text().strip():
-            self._services.review.add_comment(frame.name, self.text.text())
+            review = self._services.review
+            review.add_comment(frame.name, self.text.text(), review.new_place)
             self.text.clear()
+            review.begin_comment(None)
+
+    def _drop_empty(self) -> None:
+        """The keyboard left a comment without a word: its place is forgotten."""
+        if not self.text.text():
+            self._services.review.begin_comment(None)
+
+    def _go_to(self, item: QListWidgetItem) -> None:
+        comment: Comment = item.data(Qt.ItemDataRole.UserRole)
+        if comment.place is not None:
+            self._services.store.events.flyTo.emit(*comment.place)
 
     def _begin_frame(self) -> None:
         """Keep a comment that is being typed for the frame it was begun on."""
         services, typed = self._services, self.text.text()
         if self._typed_on is not None and typed:
-            self._typed[self._typed_on] = typed
+            self._typed[self._typed_on] = typed, services.review.new_place
         frame = services.state.frame
         self._typed_on = None if frame is None else frame.name
-        self.text.setText(self._typed.pop(self._typed_on or "", ""))
+        text, place = self._typed.pop(self._typed_on or "", ("", None))
+        self.text.setText(text)
+        services.review.begin_comment(place)
 
     def _begin_dataset(self) -> None:
         self._typed.clear()
@@ -215,6 +242,7 @@ class ReviewPanel(Panel):
 
     def _text_key(self, key: Qt.Key) -> None:
         if key == Qt.Key.Key_Escape:
+            self._services.review.begin_comment(None)
             self.left.emit()
         elif key in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self._send()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Generic, Protocol, TypeVar
 
@@ -82,9 +83,9 @@ class RowsModel(QAbstractTableModel, Generic[R]):
             self.rows = rows
             self.endResetModel()
 
+    @abstractmethod
     def texts(self, row: R) -> Sequence[str]:
         """Return the text of each column."""
-        raise NotImplementedError
 
     def tip(self, row: R) -> str:
         """Return the tool tip of a row."""
@@ -360,8 +361,9 @@ class Panel(QWidget):
         what is no part of the state."""
         self._refresher = self._services.store.watch_visible(self, self._refresh, select, *signals)
 
+    @abstractmethod
     def _refresh(self) -> None:
-        raise NotImplementedError
+        """Show the state as it is now."""
 
 
 class KeyLine(QLineEdit):

@@ -40,6 +40,7 @@ from procc_annotator.gui.state.availability import no_frame
 from procc_annotator.gui.state.camera_sources import CameraSource
 from procc_annotator.gui.state.messages import say
 from procc_annotator.gui.state.store import Store
+from procc_annotator.interaction.gestures import Position
 from procc_annotator.translation import tr
 
 IDLE_S = 30.0  # longer pauses do not count as work on a frame
@@ -58,12 +59,14 @@ class ReviewState(QObject):
     statusChanged = Signal(str)  # status, comments, verdicts or time of a frame, or of all ("")
     originsChanged = Signal()  # how the points of the frame on screen came to be
     notVisibleChanged = Signal(str)  # frame; of another window's doing only that on screen
+    commentChosen = Signal(object)  # one whose pin was clicked
     settingChanged = Signal(str)  # the key of a dataset's setting, also changed elsewhere
 
     def __init__(self, store: Store) -> None:
         super().__init__(store)
         self._store = store
         self.database: WorkspaceDatabase | None = None
+        self.new_place: Position | None = None  # of a comment that is being written, picture px
         self._origins: dict[str, dict[PointKey, Origin]] = {}
         self._before_edits: dict[str, tuple[Status, FrameAnnotation]] = {}
         self._frame: str | None = None
@@ -160,11 +163,26 @@ class ReviewState(QObject):
         """The thread of a frame, oldest first."""
         return self.database.comments(frame) if self.database is not None else ()
 
-    def add_comment(self, frame: str, text: str) -> None:
-        """Add to the thread of a frame; blank text is no comment."""
+    def add_comment(self, frame: str, text: str, place: Position | None = None) -> None:
+        """Add to the thread of a frame, on a ``place`` in it if given; not a blank text."""
         if self.database is not None and text.strip():
-            self.database.add_comment(frame, text.strip())
+            self.database.add_comment(frame, text.strip(), place)
             self.statusChanged.emit(frame)
+
+    def begin_comment(self, place: Position | None) -> None:
+        """Show where the comment that is being written will stand; None: it has no place."""
+        if place != self.new_place:
+            self.new_place = place
+            self.statusChanged.emit(self._frame or "")
+
+    @property
+    def pins(self) -> dict[str, Comment]:
+        """The comments on places of the frame on screen that are not settled, or being written, by
+        their texts in the picture."""
+        frame = self._frame or ""
+        every = {f"✎ {n}": comment for n, comment in enumerate(self.comments(frame), start=1)}
+        every["✎ +"] = Comment("", frame, "", 0.0, "", place=self.new_place)
+        return {text: c for text, c in every.items() if c.place is not None and not c.resolved}
 
     def resolve_comment(self, comment: Comment, resolved: bool) -> None:
         """Settle a comment, or open it again."""

@@ -167,12 +167,12 @@ class PaletteEntries:
                 on=source is services.state.active,
                 english=f"Judge {source.name}",  # not shown
             )
-        for model in MODELS:
+        for model, words in MODELS.items():
             yield Entry(
                 _CAMERA,
                 tr("Live fit: model {model}", model=model),
                 partial(services.live_fit.set_model, model),
-                tr("Fit this model to the clicks; auto takes the simplest that they support"),
+                tr(words),
                 key=f"model:{model}",  # not shown
                 on=services.live_fit.model == model,
                 english=f"Live fit: model {model}",  # not shown
@@ -252,7 +252,7 @@ def _rank(text: str, entry: Entry) -> int | None:
     return None
 
 
-_WIDTH = 680
+_WIDTH = 920
 _ROWS = 12
 _PAD = 8
 _MARGIN = 24  # of the window that stays in sight around it

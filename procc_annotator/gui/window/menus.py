@@ -214,6 +214,8 @@ class FindingTips(QObject):
         """Return what was found at a place of the viewport; empty where no sign is."""
         if self._canvas.drawing.hidden:
             return ""
+        if (comment := self._canvas.comment_at(cursor)) is not None:
+            return comment.text
         near = [f for f in self._services.label_check.shown if self._stands_at(f, cursor)]
         return reasons_of(near)
 
@@ -230,8 +232,8 @@ class FindingTips(QObject):
 
 
 _POINT = ("delete", "select_all")
-_WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element")
-_FRAME = ("copy_previous", "regularise_all", "close_gaps", "versions")
+_WHOLE = ("regularise", "close_gaps", "reverse", "duplicate", "delete_element", "comment_here")
+_FRAME = ("copy_previous", "regularise_all", "close_gaps", "versions", "comment_here")
 _UNCONFIRMED = ("confirm_all", "drop_unconfirmed")
 _LONGEST_REASON = 90
 _DRAWING = ("finish", "finish_stay", "back", "cancel")

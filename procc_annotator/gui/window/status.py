@@ -14,6 +14,7 @@ from PySide6.QtCore import (
     QTimer,
     QtMsgType,
     Signal,
+    Slot,
     qInstallMessageHandler,
 )
 from PySide6.QtGui import QGuiApplication, QResizeEvent
@@ -53,27 +54,38 @@ class IsolatedRow(QWidget):
 
 MESSAGE_END = "  ·  "  # what just happened stands before the hint
 _MESSAGE_MS = 5000
+_SHARE = 0.4  # of the line, at least, is the message's: a short sentence at 1280 px
 _GROUND = word("ground ±{metres:.2f} m")
 _PAD = 1  # above and below a line
 
 
 class HintLabel(ElidedLabel):
-    """Messages, what the next click does, and what keys do: whole phrases, as many as fit."""
+    """What just happened, and the hint: what the next click does, what keys do. Either keeps its
+    own part; keys are whole phrases, as many as fit."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._message = self._hint = ""
 
     def show_line(self, message: str, hint: str) -> None:
         """Show what just happened and what comes next; either may be empty."""
+        self._message, self._hint = message, hint
         self.set_text(MESSAGE_END.join(filter(None, (message, hint))))
         self.setToolTip(self.text())
 
     def text_for(self, width: int) -> str:
-        """Return what is shown in a width, px: keys go before the rest is shortened."""
-        elided, shown = self.fontMetrics().elidedText, self.text()
-        while (fitting := elided(shown, Qt.TextElideMode.ElideRight, width)) != shown:
+        """Return what is shown in a width, px: the message gives way first, then keys do."""
+        metrics, right = self.fontMetrics(), Qt.TextElideMode.ElideRight
+        shown, end = self._hint, MESSAGE_END if self._message and self._hint else ""
+        rest = width - metrics.horizontalAdvance(f"{end}{shown}")
+        message = metrics.elidedText(self._message, right, max(rest, round(_SHARE * width))) + end
+        room = width - metrics.horizontalAdvance(message)
+        while (fitting := metrics.elidedText(shown, right, room)) != shown:
             if KEYS not in shown:
                 break
             first, _, keys = shown.rpartition(KEYS)
             shown = f"{first}{KEYS}{keys.rpartition(SEPARATOR)[0]}".removesuffix(KEYS)
-        return fitting
+        return f"{message}{fitting}"
 
 
 class Readout(QLabel):
@@ -161,14 +173,16 @@ class StatusLine(QStatusBar):
         self.addWidget(IsolatedRow(line), 1)
         self._hint = self._message = ""
         self._message_timer = QTimer(self, singleShot=True)
-        self._message_timer.timeout.connect(self._show_hint)
+        self._message_timer.timeout.connect(self._end_message)
         self._just_told = QTimer(self, singleShot=True)  # runs until the event loop turns
         self._follow(services, canvas)
 
     def _follow(self, services: Services, canvas: Canvas) -> None:
         canvas.cursorMoved.connect(self.show_cursor)
         canvas.hintChanged.connect(self.set_hint)
+        canvas.editor.changed.connect(self.forget)
         watch = services.store.watch
+        watch(select.annotation, self.forget)
         watch(
             lambda s: (s.setup, s.projection_visible, s.active, s.cameras_of(s.active)),
             self._refresh_cursor,
@@ -181,35 +195,34 @@ class StatusLine(QStatusBar):
     def set_hint(self, text: str) -> None:
         """Set what the next click, Enter and Esc do; shown after the message."""
         self._hint = text
-        if self._message_timer.isActive():
-            self._show_message()
-        else:
-            self._show_hint()
+        self.hint.show_line(self._message, text)
 
     def tell(self, text: str) -> None:
-        """Show what just happened for a few seconds."""
+        """Show what just happened, for a few seconds or until the next act."""
         self._message = text
-        self._show_message()
         self._message_timer.start(_MESSAGE_MS)
         self._just_told.start(0)
+        self.hint.show_line(text, self._hint)
 
+    @Slot()
     def forget(self, *, just_told: bool = False) -> None:
-        """Have the message go: it is of what is not on screen any more; also one that was just
-        shown if ``just_told``."""
-        if self._message_timer.isActive() and (just_told or not self._just_told.isActive()):
+        """Have the message go: it is of an act before, or of what is not on screen any more; also
+        one that was just shown if ``just_told``."""
+        if self._message and (just_told or not self._just_told.isActive()):
             self._message_timer.stop()
-            self._show_hint()
+            self._message = ""
+            self.hint.show_line("", self._hint)
+
+    def _end_message(self) -> None:
+        if self.hint.underMouse():  # what is cut is read in the tip
+            self._message_timer.start(_MESSAGE_MS)
+        else:
+            self.forget()
 
     def set_work(self, text: str, tip: str = "") -> None:
         """Show the background work; empty for none."""
         self.work.setText(text)
         self.work.setToolTip(tip)
-
-    def _show_message(self) -> None:
-        self.hint.show_line(self._message, self._hint)
-
-    def _show_hint(self) -> None:
-        self.hint.show_line("", self._hint)
 
     def show_scoring(self, done: int, total: int) -> None:
         """Show the progress of scoring the set; nothing when it is complete."""

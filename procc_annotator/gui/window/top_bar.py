@@ -70,12 +70,12 @@ class TauControl(QWidget):
 
 
 _NO_CAMERA = word("none")
-_WIDEST_CAMERA, _WIDEST_JAC = 14, 22  # average letters
+_WIDEST_CAMERA, _LEAST_JAC, _LEAST_NAME = 14, 14, 10  # average letters
 _JAC_TIP = word("Jaccard index of this frame at tau")
 
 
 class CameraBar(QWidget):
-    """The row above the picture while one judges, once a camera is loaded or judged.
+    """The row above the picture while one judges: it comes and goes with the workspace alone.
 
     Attributes:
         jac: the JaC, or why there is none; it stands in the row on top, in every workspace.
@@ -86,7 +86,6 @@ class CameraBar(QWidget):
         self.setObjectName("cameraBar")
         self._services = services
         self._listed: list[str] = []
-        self._judging = False
         self.tau = TauControl(services)
         tip = tr("The camera set that is judged (C switches)")
         self.cameras = named(QComboBox(), "cameraCombo", tip=tip)
@@ -94,7 +93,6 @@ class CameraBar(QWidget):
         self.cameras.activated.connect(lambda i: services.camera_sources.set_active_camera(i - 1))
         self.jac = named(ElidedLabel(), "judgedJac", tip=tr(_JAC_TIP))
         self.jac.setFont(bold(self.jac.font()))
-        self.jac.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self.terms = named(ElidedLabel(), "judgedTerms")
         # The rest of the bar; a narrow window shows the beginning, and all of it in the tip.
         self.terms.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
@@ -105,11 +103,11 @@ class CameraBar(QWidget):
         store.watch(judged, self._show_score, When.AFTER_PAINT)
         store.watch(lambda s: s.projection_visible, self._show_score)  # hidden at once
         self._show_cameras()
+        self.hide()
 
     def show_in(self, workspace: str) -> None:
         """Show the row in the workspace that judges only."""
-        self._judging = workspace == "judge"
-        self._show_cameras()
+        self.setVisible(workspace == "judge")
 
     def _show_cameras(self) -> None:
         services, looks = self._services, self._services.state.looks
@@ -123,7 +121,6 @@ class CameraBar(QWidget):
         loaded = any(s is not services.fit_source.source for s in services.state.sources)
         there = loaded or services.state.active is not None
         self.jac.setVisible(there)
-        self.setVisible(there and self._judging)
         self._show_score()
 
     def _fill_cameras(self, names: list[str]) -> None:
@@ -140,7 +137,7 @@ class CameraBar(QWidget):
         services = self._services
         score = services.scorer.score
         if score is not None and (why := services.state.why_not_judged):
-            said = tr("JaC – {why}", why=why)
+            said = why
         elif score is not None:
             own = services.state.active is services.fit_source.source
             said = tr("JaC {jac:.3f} of the fit") if own else "JaC {jac:.3f}"
@@ -153,8 +150,9 @@ class CameraBar(QWidget):
             said = tr("camera unreadable") if services.scorer.shown.error else tr("no camera here")
         self.jac.set_text(said)
         metrics = self.jac.fontMetrics()
-        widest = metrics.averageCharWidth() * _WIDEST_JAC
-        self.jac.setFixedWidth(min(widest, metrics.horizontalAdvance(f"{said}  ")))
+        whole = metrics.horizontalAdvance(f"{said}  ")
+        self.jac.setMinimumWidth(min(whole, _LEAST_JAC * metrics.averageCharWidth()))
+        self.jac.setMaximumWidth(whole)
         hidden = not services.state.projection_visible
         error = "" if hidden else services.scorer.shown.error
         self.jac.setToolTip("\n".join(filter(None, (error or said, tr(_JAC_TIP)))))
@@ -172,7 +170,7 @@ class SaveState(SteadyLabel):
     """Says so in a word or two; what is not saved stands out."""
 
     def __init__(self, services: Services) -> None:
-        super().__init__(tr("saved {time}", time="00:00:00"))
+        super().__init__(tr("saved"))
         self.setObjectName("savedState")
         self.setFont(fixed_width(self.font()))
         self.setContentsMargins(*[_SAVED_PAD] * 4)
@@ -201,21 +199,21 @@ class SaveState(SteadyLabel):
     def _show(self) -> None:
         saver = self._services.saver
         problems = saver.problems
-        self.setToolTip("\n".join(str(p) for p in problems.values()))
+        at = saver.saved_at
+        saved = "" if at is None else tr("saved {time}", time=f"{at:%H:%M:%S}")
+        self.setToolTip("\n".join(str(p) for p in problems.values()) or saved)
         if problems:
             count = len(problems)
             said = tr_count(count, "NOT SAVED: {n} frame", "NOT SAVED: {n} frames")
         elif saver.under_way:
             said = tr("saving...")
-        elif saver.saved_at is not None:
-            said = tr("saved {time}", time=f"{saver.saved_at:%H:%M:%S}")
         else:
-            said = tr("no changes") if self._services.state.frame is not None else ""
+            said = "" if at is None else tr("saved")
         self.set_saved(said, alarm=bool(problems))
 
 
 _PAD = 5
-_ROOMY = 60  # lines of text
+_ROOMY, _TIGHT = 60, 75  # lines of text: of the row, of the window
 _WIDEST_CHIP = 30  # average letters
 
 
@@ -311,7 +309,7 @@ class TopBar(QWidget):
             _button("done", actions["commit"]),
             self.chip,
             (self.frame, 1),
-            self.camera_bar.jac,
+            (self.camera_bar.jac, 9),
             self.saved,
             self.search,
         )
@@ -328,7 +326,7 @@ class TopBar(QWidget):
         self.position.setFont(fixed_width(self.position.font()))
         self.frame = named(ElidedLabel(Qt.TextElideMode.ElideLeft), "frameName")
         self.frame.setContentsMargins(4, 0, 0, 0)
-        self.frame.setMinimumWidth(1)  # the title of the window has it, too
+        self.frame.setMinimumWidth(_LEAST_NAME * self.fontMetrics().averageCharWidth())
         # Nothing next to it moves when it changes.
         words, advance = (tr(s.value) for s in Status), self.fontMetrics().horizontalAdvance
         tip = tr("Status of this frame (panel Review)")
@@ -343,9 +341,12 @@ class TopBar(QWidget):
         return search
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Show the words of the search where names have room, too."""
+        """Show the words of the search where names have room, too; leave out the status, which the
+        panel Review has, where they have little."""
         super().resizeEvent(event)
-        roomy = self.width() > _ROOMY * self.fontMetrics().height()
+        line = self.fontMetrics().height()
+        self.status.setVisible(self.window().width() > _TIGHT * line)
+        roomy = self.width() > _ROOMY * line
         hint = self.search.sizeHint() if roomy else self.search.minimumSizeHint()
         self.search.setFixedWidth(hint.width())
 

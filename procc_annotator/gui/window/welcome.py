@@ -22,7 +22,9 @@ _LEAST = 400  # px
 class Welcome(QWidget):
     """Says what to do first, with a button for each way, and offers to go on with what was open."""
 
-    def __init__(self, opening: OpeningTask, recent: Sequence[Path]) -> None:
+    def __init__(
+        self, opening: OpeningTask, tour: Callable[[], None], recent: Sequence[Path]
+    ) -> None:
         super().__init__()
         self.setObjectName("welcome")
         title = make_label(tr("Drop a folder of pictures here"), wrap=True)
@@ -45,7 +47,7 @@ class Welcome(QWidget):
         ]
         if sample_folder() is not None:
             sample = make_button(tr("Try the sample"), opening.open_sample, "welcomeSample")
-            buttons.append(sample)
+            buttons += [sample, make_button(tr("Tour (60 seconds)"), tour, "welcomeTour")]
         layout = vbox(None, title, text, of=self)
         layout.addSpacing(12)
         layout.addLayout(hbox(None, *buttons, None))

@@ -105,7 +105,8 @@ def _all_writable(content: Any) -> Any:
 
 
 def _as_plain(value: object) -> str:
-    """Words that know how they are said in other languages: files keep the English ones."""
+    """Words that know how they are said in other languages: files keep the English ones. msgspec
+    expects a `NotImplementedError` for what cannot be written."""
     if isinstance(value, str):
         return str(value)
     raise NotImplementedError(f"{type(value).__name__} cannot be written as JSON")

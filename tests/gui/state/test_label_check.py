@@ -557,8 +557,19 @@ def test_checking_a_set_can_be_stopped(mistaken, services, panel, qtbot):
     panel.stop_button.click()
     assert not services.label_check.running
     assert panel.check_button.isVisible()
-    panel.scope.setCurrentIndex(1)
+    panel.scope.click()
     assert "not checked yet" in panel.empty.text() + panel.note.text()
+
+
+def test_a_checked_set_is_listed_errors_first(mistaken, services, panel, qtbot):
+    put(services, about(FRONT, Severity.HINT))
+    panel.check_button.click()
+    qtbot.waitUntil(lambda: panel.scope.isChecked())  # it is listed by itself
+    qtbot.waitUntil(lambda: panel.model.rowCount() > 1)
+    ranks = [panel.model.severity(row).rank for row in range(panel.model.rowCount())]
+    assert ranks == sorted(ranks)
+    panel.scope.click()
+    assert all(frame == services.state.frame_name for frame, _ in panel.model.entries)
 
 
 def test_the_list_shows_what_the_signs_above_let_through(services, commands, panel, qtbot):
@@ -622,5 +633,5 @@ def test_the_panel_says_why_it_is_empty(services, panel, qtbot):
     services.editing.commit_edit("two", two)
     says("Full check needs a camera")
     services.editing.undo()
-    panel.scope.setCurrentIndex(1)
+    panel.scope.click()
     says("not checked yet")

@@ -448,7 +448,7 @@ def test_it_is_listed_but_judged_only_on_request(services, show, qtbot):
     assert services.scorer.score is None
     panel = show(CamerasPanel(services))
     qtbot.waitUntil(lambda: panel.findChild(QLabel, "cameras_matched_0") is not None)
-    qtbot.waitUntil(lambda: panel.findChild(QLabel, "cameras_matched_0").text() == "1 frame fitted")
+    qtbot.waitUntil(lambda: panel.findChild(QLabel, "cameras_matched_0").text() == "1 opened frame")
     services.camera_sources.set_active_camera(0)
     assert services.scorer.score.jac > 0.9
     assert show(CameraBar(services)).jac.text().endswith("of the fit")

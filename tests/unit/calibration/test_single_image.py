@@ -271,7 +271,7 @@ def test_a_picture_of_another_sport_is_not_sure(sport, sample_data):
     picture = decode_bgra(sample_data / sport / "00001.jpg")
     found = propose_camera(picture, _stage().field)
     assert found.state != "sure"
-    assert found.reason.startswith("is this Soccer, and no other sport? ")
+    assert found.reason.startswith("is this Soccer? ")
 
 
 def test_more_paint_on_the_right_field_does_not_question_the_sport():

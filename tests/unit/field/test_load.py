@@ -165,6 +165,45 @@ def test_no_formula_brings_the_program_down(tmp_path_factory, formula):
         assert load_field(path).elements
 
 
+def test_a_field_like_a_shipped_one_says_what_differs(tmp_path):
+    path, soccer = tmp_path / "field.toml", load_field("soccer")
+    text = """name = "small"
+title = "Small"
+like = "soccer"
+symmetries = []
+[dimensions]
+length = { title = "Length", nominal = 90.0, minimum = 80.0, maximum = 95.0 }
+[[elements]]
+name = "Middle line"
+title = "Centre"
+[[elements]]
+name = "Own"
+title = "Own line"
+group = "Own"
+colour = "#112233"
+shortcut = ""
+kind = "line"
+start = ["0", "0", "0"]
+end = ["length / 4", "0", "0"]
+measured = "centre"
+"""
+    path.write_text(text)
+    field = load_field(path)
+    assert [e.name for e in field.elements] == [*(e.name for e in soccer.elements), "Own"]
+    assert field.element("Middle line").title == "Centre"
+    assert field.element("Middle line").colour == soccer.element("Middle line").colour
+    assert (field.dimension("length").value, field.dimension("width").value) == (90.0, 68.0)
+    for old, new, expected in (
+        ('"soccer"', '"socer"', "line 3: like: no such field; did you mean 'soccer'"),
+        ('title = "Centre"', "titel = 1", "line 9: element 'Middle line'.titel: unknown key"),
+        ("[[elements]]", "[elements]", "elements begin with [[elements]], two brackets"),
+    ):
+        path.write_text(text.replace(old, new))
+        with pytest.raises(FieldError) as caught:
+            load_field(path)
+        assert expected in str(caught.value)
+
+
 def test_a_missing_file_and_a_binary_file(tmp_path):
     with pytest.raises(FieldError, match="no such file"):
         load_field(tmp_path / "absent.toml")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -148,9 +149,9 @@ class ExportablePlot(Panel):
         self._said = ""
 
     @property
+    @abstractmethod
     def page(self) -> PlotPage[Any]:
         """The plot on show."""
-        raise NotImplementedError
 
     def copy_picture(self) -> None:
         """Put the plot on the clipboard as a picture."""

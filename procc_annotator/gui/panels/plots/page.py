@@ -5,6 +5,7 @@ pyqtgraph is imported when the first page is made (it takes 0.3 s).
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -423,13 +424,13 @@ class PlotPage(QWidget, Generic[D]):
     # --- to be given by each page ---------------------------------------------------------
 
     @staticmethod
+    @abstractmethod
     def compute(request: PlotRequest) -> D:
         """The data, from any thread."""
-        raise NotImplementedError
 
+    @abstractmethod
     def draw(self, data: D, request: PlotRequest) -> str:
         """Show data; what there is to say about it, or an empty text."""
-        raise NotImplementedError
 
     def read(self, x: float) -> str:
         """Return what there is at a place of the horizontal axis; empty for nothing."""
@@ -439,9 +440,9 @@ class PlotPage(QWidget, Generic[D]):
         """Show another frame or tau in what is drawn."""
 
     @staticmethod
+    @abstractmethod
     def table(data: D, request: PlotRequest) -> PlotData:
         """The numbers that are drawn, for a file."""
-        raise NotImplementedError
 
     def restyle(self) -> None:
         """Take over the theme's colours where `dress` does not reach."""

@@ -87,7 +87,8 @@ class PlotsPanel(ExportablePlot):
     def _build_more(self) -> QToolButton:
         tip = tr("Copy or save the plot and its numbers")
         more = named(QToolButton(), "plots_more", tip=tip, title=tr("Copy or save the plot"))
-        more.setText(tr("Save"))
+        more.setText(f"{tr('Save')} ▾")  # Qt's own sign lies over the letters
+        more.setStyleSheet("QToolButton::menu-indicator { image: none; }")
         more.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(more)
         for name, text, slot in (

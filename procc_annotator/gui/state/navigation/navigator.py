@@ -295,6 +295,9 @@ class Opening(QObject):
             **self._blind_lock.of_dataset(),
             setup=replace(setup, field=field) if other_field else setup,
         )
+        if waiting := self._store.state.annotation.unconfirmed:
+            titles = ", ".join(tr(field.title_of(p.class_name)) for p in waiting)
+            say(self._store, tr("unfinished elements were kept: {titles}", titles=titles))
         if field.own_terms:
             say(self._store, tr("the field of this dataset: {field}", field=field.described))
         landmarks = {PROBLEM: self._landmarks.problem, STRANGE: self._landmarks.strange}

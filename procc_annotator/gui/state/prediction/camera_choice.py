@@ -17,7 +17,7 @@ from procc_annotator.assist.frame_analysis import FrameAnalysis, ghosts_without_
 from procc_annotator.assist.track_anchors import CameraCorrection, align_to_lines
 from procc_annotator.batch.camera_proposals import set_pixel_aspect
 from procc_annotator.calibration.result import FitResult
-from procc_annotator.calibration.single_image.proposal import SURE, Proposal
+from procc_annotator.calibration.single_image.proposal import NONE, SURE, UNSURE, Proposal
 from procc_annotator.calibration.single_image.propose import propose_camera
 from procc_annotator.calibration.tracking.track import TrackedFrame
 from procc_annotator.dataset.computed_cameras import review_reason
@@ -35,6 +35,7 @@ from procc_annotator.gui.state.sequences import is_annotated
 from procc_annotator.gui.state.store import Store
 from procc_annotator.image.decoding import FrameCache
 from procc_annotator.image.pixels import PixelArray
+from procc_annotator.translation import word
 
 _KEPT_PROPOSALS = 64
 _STAYED_MS = 150  # a frame that is left sooner was only passed
@@ -63,6 +64,7 @@ class Proposals(QObject):
         self._pixels: PixelAspect | None = None
         self._pixels_known = False
         self.wanted = True
+        self._rejected: set[Frame] = set()  # frames whose camera a person found wrong
         self._derived = ComputedValue(
             self._next,
             self._look_at,
@@ -101,7 +103,23 @@ class Proposals(QObject):
         if not (self.wanted and self.allowed):
             return None
         state = self._store.state
-        return None if state.frame is None else self._derived.cached(state.frame, state.field)
+        found = None if state.frame is None else self._derived.cached(state.frame, state.field)
+        if found is None or state.frame not in self._rejected:
+            return found
+        why = word("you rejected it (Ctrl+Z takes that back)")
+        return replace(found, state=NONE, reason=why, fit=replace(found.fit, camera=None))
+
+    def reject(self, rejected: bool) -> bool:
+        """Show the unsure camera of the frame on screen no more, or again; False where there is
+        none, or something is annotated."""
+        found, state = self.here, self._store.state
+        if found is None or state.frame is None or state.annotation.polylines:
+            return False
+        if rejected is (state.frame in self._rejected) or (rejected and found.state != UNSURE):
+            return False
+        self._rejected ^= {state.frame}
+        self.changed.emit()
+        return True
 
     @property
     def working(self) -> bool:

@@ -16,7 +16,7 @@ from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.assist.frame_analysis import FrameAnalysis
 from procc_annotator.assist.ghost_points import GhostPoints, find_points
 from procc_annotator.calibration.prediction.ghosts import Ghost
-from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion
+from procc_annotator.calibration.prediction.suggestions import AnnotationSuggestion, often_in_sight
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import ComputedValue, Inputs
 from procc_annotator.gui.state.messages import say
@@ -27,6 +27,7 @@ from procc_annotator.gui.state.store import Store, When
 from procc_annotator.interaction.class_choice import next_element
 from procc_annotator.translation import tr
 
+_FIRST = 3  # classes that are named to begin with
 _KEPT = 32  # ghosts whose points are kept, more than there are in any frame
 
 
@@ -148,6 +149,19 @@ class Ghosts(QObject):
         """Return the class to offer after one was finished, see `next_element`."""
         unseen, terms = self.out_of_sight, (self._store.state.field, self._store.state.annotation)
         return next_element(*terms, finished, seen_before, gains=self.gains, out_of_sight=unseen)
+
+    @property
+    def first_to_draw(self) -> tuple[str, ...]:
+        """The classes to begin with where nothing is known of the camera."""
+        state, off = self._store.state, self._there | self._hidden
+        usual = often_in_sight(state.sized_field, state.picture_size or (16, 9))
+        return tuple(name for name in usual if name not in off)[:_FIRST]
+
+    @property
+    def advice(self) -> str:
+        """Return what to draw where no camera was found."""
+        titles = [tr(self._store.state.field.title_of(name)) for name in self.first_to_draw]
+        return tr("draw 3 elements, two of which meet, such as {names}", names=", ".join(titles))
 
     @property
     def gains(self) -> Mapping[str, float]:

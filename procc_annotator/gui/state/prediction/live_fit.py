@@ -20,10 +20,18 @@ from procc_annotator.gui.state.review_state import BlindLock, ReviewState
 from procc_annotator.gui.state.scoring.frame_score import FrameScorer, SourceFrame, look_up
 from procc_annotator.gui.state.store import Store
 from procc_annotator.metrics.setup import EvaluationSetup
-from procc_annotator.translation import tr
+from procc_annotator.translation import tr, word
 
 DEFAULT_MODEL = "auto"
-MODELS = ("auto", "H", "P", "R", "R+", "R2", "F")
+MODELS = {
+    "auto": word("chosen automatically"),
+    "H": word("H: homography of the ground"),
+    "P": word("P: pinhole"),
+    "R": word("R: pinhole, lens distortion"),
+    "R+": word("R+: R, aspect ratio, principal point"),
+    "R2": word("R2: R+, second radial coefficient"),
+    "F": word("F: fisheye"),
+}
 _KEPT = 32  # insights, of frames and steps of undo one may come back to
 _STAYED_MS = 80  # a frame that is left sooner was only passed: no fit slows the walk through it
 

@@ -34,7 +34,7 @@ def _fill(database: WorkspaceDatabase) -> None:
         database.put_origins(f"f{i}", {(i / 40, 0.25): _origin(float(i))})
         database.add_version(f"f{i}", b"version " * i, "saved")
         database.add_seconds(f"f{i}", i + 0.5)
-    database.add_comment("f1", "look at the left goal")
+    database.add_comment("f1", "look at the left goal", (3.0, 4.5))
     database.set_draft("f2", b"{}")
     database.last_frame = "f3"
     assert database.flush(20)
@@ -42,7 +42,8 @@ def _fill(database: WorkspaceDatabase) -> None:
 
 def _assert_filled(database: WorkspaceDatabase) -> None:
     assert database.record("f39") == FrameRecord(list(Status)[4], False, 39.5)
-    assert [c.text for c in database.comments("f1")] == ["look at the left goal"]
+    goal = ("look at the left goal", (3.0, 4.5))
+    assert [(c.text, c.place) for c in database.comments("f1")] == [goal]
     assert database.draft("f2") == b"{}"
     assert database.last_frame == "f3"
     assert database.origins("f7") == {(7 / 40, 0.25): _origin(7.0)}
@@ -59,7 +60,7 @@ def test_everything_comes_back(opened, frame):
     first.commit(frame)
     first.add_seconds(frame, 1.5)
     first.add_seconds(frame, 2.0)
-    comment = first.add_comment(frame, "odd \udcff\0 text")
+    comment = first.add_comment(frame, "odd \udcff\0 text", (12.5, 700.0))
     first.put_origins(frame, {(0.1 + 0.2, -1e-300): _origin()})
     first.put_origins(frame, {(0.1 + 0.2, -1e-300): _origin(9.0), (2.0, 3.0): _origin()})
     first.set_draft(frame, b"\0draft")
@@ -92,6 +93,7 @@ def test_everything_comes_back(opened, frame):
     assert third.drafts() == ()
     assert third.record(frame).comments == 1
     assert third.comments(frame)[0].resolved
+    assert third.comments(frame)[0].place == (12.5, 700.0)
 
 
 def test_last_frame_belongs_to_the_author(opened):

@@ -55,6 +55,7 @@ class TestNotVisible:
         database.close()
         with sqlite3.connect(file_of(tmp_path)) as older:
             older.execute("DROP TABLE not_visible")
+            older.execute("DROP TABLE comment_place")
             older.execute("PRAGMA user_version = 3")
         older.close()
         again = opened()
@@ -184,13 +185,14 @@ class TestVerdicts:
         with sqlite3.connect(path) as older:  # as it was before there were verdicts
             older.execute("DROP TABLE source_verdict")
             older.execute("DROP TABLE not_visible")
+            older.execute("DROP TABLE comment_place")
             older.execute("PRAGMA user_version = 1")
         older.close()
-        assert len(MIGRATIONS) == 4
+        assert len(MIGRATIONS) == 5
         again = opened()
         assert again.notices == ()
         assert again.record("f1").status is Status.DONE
-        assert [c.text for c in again.comments("f1")] == ["left goal"]
+        assert [(c.text, c.place) for c in again.comments("f1")] == [("left goal", None)]
         again.set_verdict("f1", "NBJW", FaultParty.ANNOTATION)
         again.close()
         assert opened().verdicts("f1")[place_by_name("NBJW")].fault is FaultParty.ANNOTATION
@@ -220,6 +222,7 @@ class TestVerdicts:
         with sqlite3.connect(path) as older:
             older.execute("DROP TABLE source_verdict")
             older.execute("DROP TABLE not_visible")
+            older.execute("DROP TABLE comment_place")
             for statement in MIGRATIONS[1]:
                 older.execute(statement)
             for frame, source, fault in (("f1", "NBJW", "camera"), ("f2", "N\udcff", "fine")):
