@@ -54,6 +54,14 @@ REFERENCE = {
     "Drawing": ("project_", "draw_", "ElementProjections"),
 }
 ERRORS = "Errors"
+API_PAGES = {
+    "api": ("data", ("Reading", "Annotations", "Cameras", "Fields", ERRORS)),
+    "api-scores": ("scores", ("Scores", "Sets of methods", "Differences")),
+    "api-estimation": (
+        "estimation, metres, drawing",
+        ("Pixels to metres", "Finding cameras", "Checking labels", "Drawing"),
+    ),
+}
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
@@ -65,7 +73,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
         "security.md": _from_root("SECURITY.md"),
         "CITATION.cff": (ROOT / "CITATION.cff").read_text(encoding="utf-8"),
         "decisions/index.md": _decisions(),
-        "reference/api.md": reference_page(),
+        **api_pages(),
     }
     for name, content in made.items():
         files.append(File.generated(config, name, content=content))
@@ -113,26 +121,26 @@ def _decisions() -> str:
     return "\n".join(lines) + "\n"
 
 
-def reference_page() -> str:
-    """Every public name under its heading.
+def api_pages() -> dict[str, str]:
+    """Every public name under its heading, on three pages of like size.
 
     Raises:
         PluginError: a name has no heading yet; this stops the build.
     """
     left = [name for name in procc_annotator.__all__ if name != "__version__"]
-    parts = [
-        "# Python API",
-        "All public names. Introduction: [Python](python.md).",
-    ]
-    for title, beginnings in (*REFERENCE.items(), (ERRORS, ("",))):
-        here = [n for b in beginnings for n in left if (n.startswith(b) and _is_error(n, title))]
-        here = list(dict.fromkeys(here))
-        left = [name for name in left if name not in here]
-        parts.append(f"## {title}")
-        parts += [f"::: procc_annotator.{name}" for name in here]
+    pages = {}
+    for page, (about, headings) in API_PAGES.items():
+        parts = [f"# Python API: {about}", "Introduction: [Python](python.md)."]
+        for title in headings:
+            beginnings = REFERENCE.get(title, ("",))
+            here = [n for b in beginnings for n in left if n.startswith(b) and _is_error(n, title)]
+            here = list(dict.fromkeys(here))
+            left = [name for name in left if name not in here]
+            parts += [f"## {title}", *(f"::: procc_annotator.{name}" for name in here)]
+        pages[f"reference/{page}.md"] = "\n\n".join(parts) + "\n"
     if left:
         raise PluginError(f"docs/site/pages.py: REFERENCE has no heading for {', '.join(left)}")
-    return "\n\n".join(parts) + "\n"
+    return pages
 
 
 def _is_error(name: str, title: str) -> bool:
