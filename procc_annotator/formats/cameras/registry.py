@@ -148,7 +148,9 @@ def _unknown(content: object, path: str) -> CameraError:
     own = content if isinstance(content, dict) else {}
     if own.keys() & {*KRT_KEYS.k} and not own.keys() & {*KRT_KEYS.placed}:
         what = "holds a lens without a place, expected R and t, w2c or c2w with it"
-        return CameraError(path, what, advice="add them; docs/camera-formats.md has the spellings")
+        return CameraError(
+            path, what, advice="add them; docs/reference/camera-formats.md has the spellings"
+        )
     values = content if isinstance(content, list) else own.values()
     inner = [v for v in values if type(v) in (dict, list)]
     inner += [v for one in inner if type(one) is list for v in one[:1]]  # {"frames": [...]}
