@@ -116,7 +116,8 @@ IntervalMethod = Annotated[
 Power = Annotated[
     bool,
     typer.Option(
-        "--power", help="Also how many frames are needed to tell 1, 2 and 5 points of JaC apart."
+        "--power",
+        help="Also the number of frames needed to detect differences of 1, 2 and 5 points of JaC.",
     ),
 ]
 Noise = Annotated[
@@ -125,7 +126,7 @@ Noise = Annotated[
         "--annotation-noise",
         metavar="PX|FILE.json",
         help="Also what clicks leave open: everything again and again with every point moved by so"
-        " much (standard deviation, px of the evaluation size), or by what agree's JSON tells.",
+        " much (standard deviation, px of the evaluation size), or by the JSON of agree.",
     ),
 ]
 Count = Annotated[
