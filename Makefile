@@ -112,6 +112,7 @@ bench: setup
 
 screenshots: setup
 	QT_QPA_PLATFORM=offscreen $(BIN)/python docs/make_screenshots.py
+	MPLBACKEND=agg $(BIN)/python docs/make_figures.py
 
 example: setup
 	$(BIN)/python docs/make_wc14_report.py "$(DATA)"

@@ -1,8 +1,9 @@
 """Annotate and audit sports-camera calibrations.
 
-What this package names is for other programs, and stays: see docs/python.md. It is loaded when it
-is first asked for; importing the package costs next to nothing, and nothing here needs Qt or a
-display. Every error raised on purpose is a `ProccError`, its text one line for the user.
+What this package names is for other programs, and stays: see docs/reference/python.md. It is
+loaded when it is first asked for; importing the package costs next to nothing, and nothing here
+needs Qt or a display. Every error raised on purpose is a `ProccError`, its text one line for the
+user.
 """
 
 from __future__ import annotations

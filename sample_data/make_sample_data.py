@@ -12,6 +12,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
+import av
 import cv2
 import numpy as np
 
@@ -30,6 +31,26 @@ from procc_annotator.field.load import default_field_name  # noqa: E402
 from procc_annotator.formats.annotations.soccernet import write_annotation  # noqa: E402
 
 SUPERSAMPLING = 2
+VIDEO_FRAMES = 60
+SECOND_ANNOTATOR = "second_annotator"  # of soccer's first frames
+SECOND_FRAMES = 6
+OTHER_NAMES = {  # as another program might call them
+    "Big rect. left main": "left penalty area front",
+    "Big rect. left top": "left penalty area far side",
+    "Big rect. right main": "right penalty area front",
+    "Big rect. right top": "right penalty area far side",
+    "Side line top": "far touchline",
+    "Circle left": "left penalty arc",
+    "Circle right": "right penalty arc",
+    "Goal right crossbar": "right crossbar",
+}
+TRACKS = """\
+frame,id,x,y,w,h
+00002,7,610,310,22,60
+00002,9,800,280,20,55
+00003,7,500,260,22,58
+00003,9,930,330,24,64
+"""  # boxes of people, px of the pictures
 GOLDEN = HERE.parent / "tests" / "unit" / "golden_sample_scores.json"
 
 
@@ -90,6 +111,23 @@ def write_data(sport: Sport, view: View, folder: Path) -> None:
         path.write_bytes(content)
 
 
+def write_second(folder: Path) -> None:
+    """Write what another person would have clicked, other names of labels, and a table of boxes."""
+    sport = SPORTS["soccer"]
+    (folder / SECOND_ANNOTATOR).mkdir(parents=True, exist_ok=True)
+    for view in sport.views[:SECOND_FRAMES]:
+        if view.annotated:
+            content = write_annotation(annotation_of(sport, view, annotator=2))
+            (folder / SECOND_ANNOTATOR / f"{view.name}.json").write_bytes(content)
+    (folder / "other_names").mkdir(exist_ok=True)
+    for name in ("00002", "00003"):
+        content = (folder / f"{name}.json").read_text(encoding="utf-8")
+        for own, other in OTHER_NAMES.items():
+            content = content.replace(f'"{own}"', f'"{other}"')
+        (folder / "other_names" / f"{name}.json").write_text(content, encoding="utf-8")
+    (folder / "tracks.csv").write_text(TRACKS, encoding="utf-8")
+
+
 def scores(sport: Sport, sample: Path = HERE) -> dict[str, dict[str, dict[str, float]]]:
     """Mean JaC of each camera set of a sport: set -> protocol -> tau -> JaC."""
     from procc_annotator.dataset.camera_set import CameraSet
@@ -117,6 +155,32 @@ def scores(sport: Sport, sample: Path = HERE) -> dict[str, dict[str, dict[str, f
     return result
 
 
+def write_views(folder: Path) -> None:
+    """Write three views of one instant, annotated with six places of the stand."""
+    sys.path.insert(0, str(HERE.parent / "docs" / "examples"))
+    from three_views import make_dataset
+
+    make_dataset(folder)
+
+
+def write_video(path: Path) -> None:
+    """Write a broadcast clip of two shots: two goals, a camera that pans, people who run."""
+    sys.path.insert(0, str(HERE.parent))
+    from tests.drawn_shots import FPS, cut_shot
+
+    shot = cut_shot(VIDEO_FRAMES)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream("libx264", rate=round(FPS))
+        stream.width, stream.height, stream.pix_fmt = *PICTURE_SIZE, "yuv420p"
+        stream.options = {"crf": "29", "preset": "slow", "g": "25"}
+        stream.codec_context.thread_count = 1  # the same bytes on every machine
+        for number in range(VIDEO_FRAMES):
+            pixels = np.ascontiguousarray(shot.frame(number)[..., :3])
+            container.mux(stream.encode(av.VideoFrame.from_ndarray(pixels, format="bgr24")))
+        container.mux(stream.encode())
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--golden", action="store_true", help="write the expected scores instead")
@@ -136,6 +200,10 @@ def main() -> None:
             if not arguments.frame or view.name in arguments.frame:
                 write(sport, view, arguments.out / sport.folder)
                 print(name, view.name, "drawn", flush=True)
+    if not arguments.sport and not arguments.frame:
+        write_second(arguments.out)
+        write_views(arguments.out / "views")
+        write_video(arguments.out / "shot" / "match.mp4")
     total = sum(p.stat().st_size for p in arguments.out.rglob("*") if p.is_file())
     print(f"{total / 1e6:.1f} MB with cameras and annotations")
 

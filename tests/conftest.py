@@ -137,7 +137,7 @@ SLOW = frozenset((ROOT / "tests" / "slow.txt").read_text(encoding="utf-8").split
 
 def _is_slow(test: str) -> bool:
     names = test.partition("[")[0].split("::")
-    return any("::".join(names[:n]) in SLOW for n in range(1, len(names) + 1))
+    return test in SLOW or any("::".join(names[:n]) in SLOW for n in range(1, len(names) + 1))
 
 
 @pytest.hookimpl(tryfirst=True)  # before tests are selected by their marks

@@ -53,7 +53,8 @@ def test_the_wheel_brings_the_guide_and_its_icons(installed):
     )
     guide, icon = map(Path, run(installed, "-c", code).stdout.split())
     assert guide.is_relative_to(installed)
-    assert {path.suffix for path in guide.iterdir()} == {".md"}
+    assert (guide / "how-to" / "evaluate-cameras.md").is_file()
+    assert {path.suffix for path in guide.rglob("*") if path.is_file()} == {".md"}
     assert icon.is_relative_to(installed)
     assert icon.is_file()
 

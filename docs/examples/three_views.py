@@ -4,7 +4,7 @@
 
 The pictures are drawn from known cameras, the clicks are 1 px off, as a hand is. Six places of the
 stand are clicked in every view; the close-up sees one touchline and the end of the halfway line,
-which is too little for a camera. docs/landmarks.md goes on from here.
+which is too little for a camera. docs/how-to/triangulate-landmarks.md goes on from here.
 """
 
 from __future__ import annotations

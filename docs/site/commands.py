@@ -1,4 +1,4 @@
-"""The page of the commands, made from the commands themselves."""
+"""The page of the commands, generated from the commands."""
 
 from __future__ import annotations
 
@@ -15,19 +15,20 @@ PROGRAM = "procc-annotator"
 INTRODUCTION = """\
 # Commands
 
-Every command reads folders and zip archives, says in one line what it cannot read, and ends with
-0, 1 (some files were unreadable) or 2 (nothing to do). What stands here is what `--help` says.
+The text of `procc-annotator COMMAND --help`. Commands read folders and archives, list each file
+that they cannot read in one line, and exit with 0, 1 (some files were unreadable), 2 (nothing to
+do) or 3 (a bug).
 """
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
     """Add the page of the commands."""
-    files.append(File.generated(config, "commands.md", content=commands_page()))
+    files.append(File.generated(config, "reference/commands.md", content=commands_page()))
     return files
 
 
 def commands_page() -> str:
-    """Every command that its list shows: what it does, an example, arguments and options."""
+    """Every command that its list shows: summary, usage, help text, arguments and options."""
     shown = [command for command in COMMANDS if not command.hidden]
     table = ["| command | does |", "|---|---|"]
     table += [f"| [`{c.name}`](#{c.name}) | {escaped(str(c.help))} |" for c in shown]

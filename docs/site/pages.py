@@ -17,8 +17,7 @@ from mkdocs.structure.pages import Page
 import procc_annotator
 
 ROOT = Path(__file__).resolve().parents[2]
-PICTURE = re.compile(r"!\[([^\]]*)\]\((\S*pictures/)([\w-]+)\.webp\)")
-DARK = "-dark.webp"
+PICTURE = re.compile(r"!\[([^\]]*)\]\((\S*pictures/)([\w-]+)\.(webp|svg)\)")
 BEGINS = re.compile(r"- |1\. |\|")  # a list, a table
 GOES_ON = re.compile(r"- |\d+\. |\||\s|#")  # what either stands behind without a line between
 
@@ -55,6 +54,14 @@ REFERENCE = {
     "Drawing": ("project_", "draw_", "ElementProjections"),
 }
 ERRORS = "Errors"
+API_PAGES = {
+    "api": ("data", ("Reading", "Annotations", "Cameras", "Fields", ERRORS)),
+    "api-scores": ("scores", ("Scores", "Sets of methods", "Differences")),
+    "api-estimation": (
+        "estimation, metres, drawing",
+        ("Pixels to metres", "Finding cameras", "Checking labels", "Drawing"),
+    ),
+}
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
@@ -62,8 +69,11 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
     made = {
         "index.md": _from_root("README.md"),
         "changelog.md": _from_root("CHANGELOG.md"),
+        "contributing.md": _from_root("CONTRIBUTING.md"),
+        "security.md": _from_root("SECURITY.md"),
+        "CITATION.cff": (ROOT / "CITATION.cff").read_text(encoding="utf-8"),
         "decisions/index.md": _decisions(),
-        "reference.md": reference_page(),
+        **api_pages(),
     }
     for name, content in made.items():
         files.append(File.generated(config, name, content=content))
@@ -90,16 +100,17 @@ def set_apart(markdown: str) -> str:
 
 
 def _in_both_themes(found: re.Match[str]) -> str:
-    title, folder, name = found.groups()
-    if not (ROOT / "docs" / "pictures" / f"{name}{DARK}").exists():
+    title, folder, name, suffix = found.groups()
+    if not (ROOT / "docs" / "pictures" / f"{name}-dark.{suffix}").exists():
         return found.group(0)
-    light, dark = f"{folder}{name}.webp#only-light", f"{folder}{name}{DARK}#only-dark"
+    light, dark = f"{folder}{name}.{suffix}#only-light", f"{folder}{name}-dark.{suffix}#only-dark"
     return f"![{title}]({light})![{title}]({dark})"
 
 
 def _from_root(name: str) -> str:
-    """A page that lies beside `docs`, its links as from within."""
-    return (ROOT / name).read_text(encoding="utf-8").replace("](docs/", "](")
+    """Return a page of the repository's root, with links as from `docs`."""
+    text = (ROOT / name).read_text(encoding="utf-8").replace("](docs/", "](")
+    return re.sub(r"\]\(([A-Z]+\.md)\)", lambda link: f"]({link[1].lower()})", text)
 
 
 def _decisions() -> str:
@@ -110,23 +121,26 @@ def _decisions() -> str:
     return "\n".join(lines) + "\n"
 
 
-def reference_page() -> str:
-    """Every public name under its heading.
+def api_pages() -> dict[str, str]:
+    """Every public name under its heading, on three pages of like size.
 
     Raises:
         PluginError: a name has no heading yet; this stops the build.
     """
     left = [name for name in procc_annotator.__all__ if name != "__version__"]
-    parts = ["# Python API", "All public names. How they are used: [from Python](python.md)."]
-    for title, beginnings in (*REFERENCE.items(), (ERRORS, ("",))):
-        here = [n for b in beginnings for n in left if (n.startswith(b) and _is_error(n, title))]
-        here = list(dict.fromkeys(here))
-        left = [name for name in left if name not in here]
-        parts.append(f"## {title}")
-        parts += [f"::: procc_annotator.{name}" for name in here]
+    pages = {}
+    for page, (about, headings) in API_PAGES.items():
+        parts = [f"# Python API: {about}", "Introduction: [Python](python.md)."]
+        for title in headings:
+            beginnings = REFERENCE.get(title, ("",))
+            here = [n for b in beginnings for n in left if n.startswith(b) and _is_error(n, title)]
+            here = list(dict.fromkeys(here))
+            left = [name for name in left if name not in here]
+            parts += [f"## {title}", *(f"::: procc_annotator.{name}" for name in here)]
+        pages[f"reference/{page}.md"] = "\n\n".join(parts) + "\n"
     if left:
         raise PluginError(f"docs/site/pages.py: REFERENCE has no heading for {', '.join(left)}")
-    return "\n\n".join(parts) + "\n"
+    return pages
 
 
 def _is_error(name: str, title: str) -> bool:

@@ -69,8 +69,8 @@ def fit_camera(
 
     Returns:
         The camera in px of ``size``, with residuals (px) and standard deviations (rad, metres, px);
-        see `procc_annotator.calibration.fitting.fit_camera` and docs/fitting.md for how it is
-        found.
+        see `procc_annotator.calibration.fitting.fit_camera` and docs/explanation/fitting.md for how
+        it is found.
 
     Raises:
         UsageError: an argument of another kind, no such model, or a size without pixels.

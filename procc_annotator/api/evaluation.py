@@ -50,7 +50,7 @@ def evaluate(
 
     The protocol is that of Magera et al., A Universal Protocol to Benchmark Camera Calibration for
     Sports, CVsports 2024; ``soccernet`` follows the official evaluation in every count. See
-    docs/metrics.md for every number.
+    docs/explanation/metric.md for every number.
 
     A fit knows its picture size, and so do most camera files. **A plain camera does not**: it is
     taken to be in px of ``size``, 960x540 unless stated otherwise, and a camera in px of another

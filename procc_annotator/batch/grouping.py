@@ -225,7 +225,7 @@ class Tags:
         """
         names, table = read_frame_table(path, (), _TAGS_ADVICE, in_sets=True)
         columns = tuple(name for name in names if name not in (_TAG_FRAME, _SET))
-        problem = "" if columns else f"has no column of tags beside {_TAG_FRAME!r}"
+        problem = "" if columns else f"has no column of tags next to {_TAG_FRAME!r}"
         problem = f"column {names.index('') + 1} has no name" if "" in names else problem
         if problem:
             raise InputError(path, problem, place="line 1", advice=_TAGS_ADVICE)
@@ -273,8 +273,8 @@ def check_by(by: Sequence[str], tags: Tags | None, further: Sequence[str] = ()) 
     columns = () if tags is None else tags.columns
     if MODEL in columns and MODEL in by:
         raise UsageError(
-            f"{tags.path if tags else ''}: the tag {MODEL!r} cannot be told from the model of the"
-            " camera (rename the column)"
+            f"{tags.path if tags else ''}: the tag {MODEL!r} cannot be distinguished from the model"
+            " of the camera (rename the column)"
         )
     for name in by:
         if name != MODEL and name not in columns:
@@ -353,7 +353,7 @@ def clusters_of(
             frames, [shot_of.get(f) for f in frames], f"of one shot each, {told_by}", SHOT
         )
     if by == SHOT:
-        raise UsageError("names of frames tell no shots to cluster by: give a tag with --tags")
+        raise UsageError("names of frames contain no shots to cluster by: give a tag with --tags")
     if order is not None and len(frames) > 1 and len(shot_of) == len(frames):
         words = f"all frames are of one shot, {told_by}, and true intervals are wider"
         return _alone(frames, f"not clustered: {words}")

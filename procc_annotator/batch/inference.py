@@ -120,7 +120,7 @@ class Inference:
     @cached_property
     def cautions(self) -> tuple[str, ...]:
         """Return what so few clusters cannot show, a sentence each; figures as in
-        docs/chance.md."""
+        docs/explanation/statistics.md."""
         count, alike = self.clusters.count, self.clusters.thing
         said = [self.clusters.caution] if self.clusters.caution else []
         few = bool(said)

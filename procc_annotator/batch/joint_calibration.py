@@ -372,7 +372,7 @@ def _field_size(
 ) -> FieldSize:
     annotations, alone = _own(members)
     if not any(fit.camera is not None for fit in alone.values()):
-        return FieldSize(group, None, "no frame has a camera that dimensions could be told from")
+        return FieldSize(group, None, "no frame has a camera that determines dimensions")
     # What is kept of the stadium already: a dimension that is not determined stays so.
     known = replace(field_for_stadium(setup.field, group), stadiums=None)
     stadium = fit_dimensions(annotations, alone, known, names=names, on_step=steps.step)

@@ -284,7 +284,7 @@ def ambiguous_folders(sources: Iterable[tuple[Path, ByFrame[str]]]) -> tuple[str
         return ()
     places = " and ".join(f"{path}/{folder}" for folder, path in folders.items())
     return (
-        f"what lies in {places} is taken for the same frames: no pictures tell whether they are"
+        f"files in {places} are taken as the same frames: no pictures show whether they are"
         " several matches",
     )
 

@@ -161,7 +161,7 @@ def _too_few_views_reason(views: Sequence[ClickedView], usable: Sequence[Clicked
         return translatable("clicked in no view that has a camera")
     if ground and len(views) - ground < 2:
         return translatable(
-            "cameras that know only the ground (homographies) tell no place in space"
+            "cameras that know only the ground (homographies) have no position in space"
         )
     return translatable(
         "{count} of {total} clicks lie where the camera shows nothing",

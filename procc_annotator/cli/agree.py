@@ -46,35 +46,30 @@ from procc_annotator.report.consensus import (
 from procc_annotator.report.reference import AgainstReference
 
 HELP = """\
-Two or more (up to 26) dataset folders, or folders or zip archives of annotation files, one for each
-annotator, paired by frame name: A, B, C, ...
+ANNOTATORS are two to 26 dataset folders, or folders or zip archives of annotation files, paired by
+frame name: A, B, C, ...
 
-Every click of one is measured against the course the other's clicks give the element, and the
-reverse. The median and 95 % of all distances are the noise floor: no camera can be asked to agree
-better with such clicks. The JaC is what one annotator would score if the other were a camera:
-elements whose points all lie within tau / elements any of the two annotated.
+Each point of one annotator is compared with the other's curve of the same element. The median and
+95 % of the distances are the inter-annotator distance: no camera can agree better with such
+annotations. JaC is that of one annotator evaluated against the other's curves.
 
-Clicks beyond the other's ends (5 % of its length, at least 3 px) are left out and counted as
-"beyond". An element of which the two share (almost) no stretch is "apart", and no agreement: none
-of its clicks is compared, all count as "beyond". Swapped classes look like that where they meet.
+Points beyond the other's ends (5 % of its length, at least 3 px) are left out and counted as
+"beyond". An element with (almost) no common stretch is "apart": often its class was swapped.
 
-With --reference: each annotator against answers that are known to be right, of the frames that the
-reference's gold.csv (or --frames) names, or all; one annotator is enough. --output then takes a
-.json with all tables, or a .csv with a row a frame and annotator.
+--reference compares each annotator with annotations that are known to be right, of the frames in
+the reference's gold.csv, of --frames, or of all. --power adds the number of frames needed for a
+given precision.
 
-With --power: how many frames make JaC known to 1, 2 and 5 points, distances to 5, 10 and 20 %.
-
-Of three and more every two are compared, and each with the consensus of the others: the median of
-their courses, of elements that more than half of them have. An element that exactly half have
-counts for nothing. Intervals (95 %) say how far figures would differ on other frames.
+Three or more annotators are compared in pairs, and each with the consensus of the others: the
+median of their curves, for elements that more than half of them have. Confidence intervals are 95
+%.
 
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator agree anna/annotations ben/annotations --tau 5 --tau 2 --output agreement.csv
-  procc-annotator agree anna/ ben/ cleo/ --cluster shot --consensus agreed/ --output agreement.json
-  procc-annotator agree anna/ ben/ --reference match/ --output reference.json
+  procc-annotator agree sample_data sample_data/second_annotator --tau 5 --tau 2
+  procc-annotator agree sample_data sample_data/second_annotator --output agreement.json
 """
 
 
@@ -244,7 +239,7 @@ def _against_reference(given: AgreeOptions, reference: Path) -> int:
             against.add(name, place, run, clusters_of, with_progress)
     if run is None or not against.rows:
         raise UsageError(
-            "nothing to do: nobody has annotated any of"
+            "nothing to do: there is no annotation of any of"
             f" {list_names(sorted(among), 'reference frame')}"
         )
     for path in files:  # before the tables: whoever reads them may stop after the first

@@ -36,26 +36,22 @@ from procc_annotator.report.auto_annotation import Annotated as Done
 from procc_annotator.report.auto_annotation import annotate_pictures
 
 HELP = """\
-SOURCE is a folder of pictures, one picture, a video, whose frames are named as the window names
-them (match_000123), or a season (see track); cameras and OUT then have a folder or file a match.
-Every element that a frame's camera shows is looked for in the picture; those whose paint is seen
-become an annotation in OUT, FRAME.json, SoccerNet JSON. OUT may be where the window looks for
-annotations: match/annotations (or match itself, where they lie beside the pictures), or
-match_frames beside match.mp4; those of a season go there if OUT is its folder.
+SOURCE is a folder of pictures, a picture, a video (frames match_000123) or a season (see track).
+OUT gets FRAME.json (SoccerNet JSON) with the elements that the frame's camera shows and that are
+seen in the picture. It may be where the window reads annotations: match/annotations, match_frames/
+for match.mp4, or the season's folder.
 
-The points' provenance is "proposed": somebody should look at them. The workspace of the dataset
-remembers it, and that of OUT. A file of OUT is never replaced: frames that have one are passed
-over, so that an interrupted run goes on when it is started again.
+The points have the provenance "proposed", in the workspaces of the dataset and of OUT: a person
+should confirm them. Existing files are never replaced, so a stopped run continues when repeated.
 
---views 20 takes the 20 frames whose views differ most, by where the camera looks and how far it
-zooms: those to look at first.
+--views 20 selects the 20 frames with the most different pan and zoom.
 
 Exit code: 0; 1 if some pictures or cameras were unreadable (listed); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator annotate match.mp4 match_frames/ --cameras tracked/ --every 25
-  procc-annotator annotate match/ match/annotations/ --cameras proposed/ --views 20
+  procc-annotator annotate sample_data annotated/ --cameras sample_data/cameras/true
+  procc-annotator annotate sample_data few/ --cameras sample_data/cameras/true --views 2
 """
 
 
@@ -168,7 +164,7 @@ def _workspaces(pictures: PictureSource, out: Path) -> dict[Path, bool]:
 def _interrupted_message(done: Done, total: int, out: Path) -> str:
     looked_at = len(done.frames) + len(done.bare) + len(done.kept) + len(done.errors)
     return (
-        f"{looked_at} of {pluralize(total, 'frame')} looked at,"
+        f"{looked_at} of {pluralize(total, 'frame')} examined,"
         f" {pluralize(len(done.frames), 'annotation')} written to {out}; run it again to go on"
     )
 

@@ -36,42 +36,35 @@ from procc_annotator.report.outputs import is_archive
 from procc_annotator.report.scores import score_tables
 
 HELP = """\
-DATASET is a dataset folder, or a folder or zip archive of annotations. OUT is a folder, or an
-archive if it ends in .zip: it gets camera_00037.json for frame 00037 (with --model H 00037.npy, in
-the format carwc; a fisheye is 00037.yml, in the format opencv) and calibration.csv, a row a frame:
-JaC, error, standard deviations, what the points leave open of a camera they hardly determine, or
-why there is none.
+DATASET is a dataset folder, or a folder or zip archive of annotations. OUT, a folder or .zip, gets
+camera_00037.json for frame 00037 (00037.npy with --model H, 00037.yml for a fisheye) and
+calibration.csv with JaC, error, standard deviations, or the reason why there is no camera.
 
-Pictures beside the annotations only tell the shape of each frame: a camera is for 960 px in that
-shape (4:3 is 960x720). Without pictures it is 960x540, unless --size says otherwise.
+Only the shape of the pictures is used: a camera is for 960 px in that shape (4:3 is 960x720), for
+960x540 without pictures, or for --size.
 
 Models: P, a pinhole with one focal length; R, P and one radial coefficient; R+, R with aspect ratio
 and principal point; R2, R+ and a second radial coefficient; F, OpenCV's fisheye; H, a homography of
-the ground, which shows no goals; auto, for each frame the simplest of P, R and R+ that its points
-support, or R2 or F where lines are bent as none of these explains.
+the ground without goals; auto, the simplest of P, R and R+ that the points support, or R2 or F
+where lines bend more than these explain.
 
-With --shared-position frames that one camera took from one place get one position: frames whose
-own positions agree are fitted together (each group by itself, if --groups names any). The position
-is then known far better than from any frame alone, and what nobody annotated is predicted better;
-the annotated points are met a little less closely. Where a group has one position, two elements are
-enough for a camera. positions.csv tells the positions and how the frames' own ones scattered.
+--shared-position estimates one position for frames of a fixed camera (per group with --groups).
+Elements that were not annotated are then predicted better, annotated ones fit a little less
+closely, and two elements are enough. positions.csv holds the positions.
 
-The JaC compares the cameras with the points they were fitted to. It tells how well the model can
-explain the annotation, not how well it would show what nobody annotated. --leave-one-out does:
-each element is left out in turn and judged by the camera of the others, which takes some ten times
-as long. The distances go to held_out.csv, and evaluate and report tell them beside the cameras'
-figures.
+The JaC compares cameras with the points they were fitted to, so it is in sample.
+--leave-one-out evaluates each element with the camera of the others, in about ten times the time;
+held_out.csv stores the distances for evaluate and report.
 
-A run that was stopped or killed goes on with --resume, in the same words: what was done is not done
-again, and the files are those of one run. Frames whose files changed since are fitted anew.
+--resume continues a stopped run with identical options; changed files are fitted again.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A frame
 without a camera is listed with the reason and is no error.
 """
 
 EXAMPLE = """\
-  procc-annotator calibrate match/ match/cameras/ --model R -t 2 -t 5
-  procc-annotator calibrate match/ match/cameras/ --shared-position
+  procc-annotator calibrate sample_data fitted/ --model R -t 2 -t 5
+  procc-annotator calibrate sample_data together/ --shared-position
 """
 
 
@@ -181,7 +174,7 @@ def _fit_individually(run: CalibrationRun, out: Path, workers: int | None, dask:
     _print_report(report, out)
     if hold_out:
         stdout_console().print(calibration.held_out_table(report))
-        echo(f"written: {LEFT_OUT_FILE}, which evaluate and report tell beside these cameras")
+        echo(f"written: {LEFT_OUT_FILE}, which evaluate and report use with these cameras")
     if (out / POSITIONS_FILE).exists():
         echo(
             f"note: {out} holds {POSITIONS_FILE} of cameras with shared positions, not of these;"

@@ -25,22 +25,24 @@ from procc_annotator.report.label_check import CheckReport
 
 HELP = """\
 DATASET is a dataset folder, or a folder or zip archive of annotations. A camera is fitted to every
-frame; elements that do not fit it are named, with the label they fit, the swap, or the one bad
-point. Other rules need no camera: unknown classes, coordinates in pixels, bent lines, two classes
-on one line, elements on the wrong side of others, circles of too few points, ends that stop short,
-elements clicked twice. The set as a whole tells whose camera stands on the other side of the field
-from the rest: its labels are turned.
+frame; elements that do not fit are reported with the correct label, the swap, or the one bad point.
+Other rules need no camera: unknown classes, pixel coordinates, bent lines, two classes on one line,
+elements on the wrong side, too few points, short ends, repeated points, points that are not on
+paint. Frames whose labels are rotated by 180 degrees are found by comparison with the set.
 
-error: surely wrong; warning: probably; hint: worth a look. --output takes one row a finding: frame,
-severity, rule, elements, reason, suggestion, point (from 1), error in px, the model of the camera
-that had a say (empty: none had), and the size of the picture that the px are of; a frame without a
-camera has a row of the rule "no camera".
+error: certainly wrong; warning: probably wrong; hint: worth a look. --output writes one row per
+finding: frame, severity, rule, elements, reason, suggestion, point (from 1), error in px, camera
+model (empty: none), and the picture size of the px. A frame without a camera has a row with the
+rule "no camera".
 
-Exit code: 0, whatever was found; 1 if something was found that --fail-on asks for, or some
-annotations were unreadable (listed); 2 if there was nothing to do.
+Exit code: 0, whatever was found; 1 with findings as severe as --fail-on, or if some annotations
+were unreadable (listed); 2 if there was nothing to do.
 """
 
-EXAMPLE = "  procc-annotator check match/ --output findings.csv\n"
+EXAMPLE = """\
+  procc-annotator check sample_data --output findings.csv
+  procc-annotator check sample_data/volleyball --min-severity warning
+"""
 
 
 def check(
@@ -94,7 +96,7 @@ def check(
             )
     _print_report(report, written_to)
     if paint and not run.seen:
-        echo("no pictures beside the annotations: paint was not looked for")
+        echo("no pictures next to the annotations: line evidence was not used")
     report_remarks(report.remarks)
     code = report_unreadable([problem for _, problem in report.unreadable])
     raise typer.Exit(1 if failing is not None and report.has_any(failing) else code)

@@ -19,17 +19,19 @@ from procc_annotator.formats.cameras.submissions import check_polylines, holds_m
 from procc_annotator.formats.file_listing import list_annotations
 
 HELP = """\
-ZIP is a submission: SPLIT/camera_FRAME.json for each frame, or polylines with a manifest.json, as
-convert --to polylines writes them. Nothing is written.
+ZIP is a submission: SPLIT/camera_FRAME.json for each frame, or polylines with a manifest.json as
+written by convert --to polylines. Nothing is written.
 
-One line a finding: "refused" (the evaluation stops there), "lowers the score" (it goes on, and the
-figures suffer) or "ignored" (it is never looked at).
+One line per finding: "refused" (the evaluation stops there), "lowers the score" or "ignored".
 
-Exit code: 0 if there is nothing to say; 1 if there is; 2 if the archive cannot be opened.
+Exit code: 0 without findings; 1 with findings; 2 if the archive cannot be opened.
 """
 
 EXAMPLE = """\
-  procc-annotator check-submission test.zip --annotations SoccerNet/test --split test
+  procc-annotator convert sample_data/cameras/true test.zip --to submission --split test
+  procc-annotator check-submission test.zip --split test
+  procc-annotator convert sample_data/cameras/true lines.zip --to polylines --frames sample_data
+  procc-annotator check-submission lines.zip --annotations sample_data
 """
 
 

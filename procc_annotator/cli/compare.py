@@ -54,21 +54,21 @@ from procc_annotator.report.tables.table import MetricTable
 
 HELP = """\
 A and B are PATH, NAME=PATH or NAME:FORMAT=PATH: folders, zip archives or files of cameras, paired
-by frame name. A is the reference of the metrics of earlier papers (IoU and the like).
+by frame name. A is the reference for IoU and the other metrics of earlier papers.
 
-A pixel counts when both cameras see the ground there and at least one of the two ground points lies
-on the field. Distances are in metres on the ground, and in pixels of B's picture.
+A pixel counts if both cameras see the ground there and at least one of the two ground points is on
+the field. Distances are metres on the ground, and px of B's picture.
 
---intervals says how far the figures of the set would differ on other frames of the same kind, whole
-shots or values of a tag drawn together (--cluster); --versus C compares A with C as well, and says
-figure by figure which of B and C is nearer to A (permutation test, corrected by Holm).
+--intervals adds 95 % confidence intervals, over clusters of frames (--cluster). --versus C tests
+whether B or C is nearer to A (permutation test with Holm's correction).
 
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator compare carwc=homographies/ ours=cameras/ match/ --pictures out/ -n 20
-  procc-annotator compare reference=true/ ours=cameras/ match/ --versus theirs=others.zip
+  procc-annotator compare true=sample_data/cameras/true bad=sample_data/cameras/bad sample_data
+  procc-annotator compare true=sample_data/cameras/true bad=sample_data/cameras/bad sample_data \\
+      --versus pinhole=sample_data/cameras/pinhole --pictures disagreement/ -n 3
 """
 
 # dataset/cameras/method

@@ -33,26 +33,25 @@ from procc_annotator.report.conversion import convert_annotations, export_camera
 from procc_annotator.report.conversion_output import ConversionRequest
 
 HELP = """\
-IN is a dataset, a folder or zip of files, or one file. OUT is a folder, an archive if it ends in
-.zip, or the file itself for formats that keep a whole set in one. Nothing that is read is ever
-changed, and files that are there stay unless --overwrite is given.
+IN is a dataset, a folder or zip of files, or one file. OUT is a folder, a .zip, or the file itself
+for formats that hold a whole set. Inputs are never changed; existing files are replaced only with
+--overwrite.
 
 Annotations: soccernet, soccernet-v3, soccernet-gsr, labelme, cvat, cvat-video, coco; yolo-pose and
-masks are only written.
-Cameras, by --to: soccernet-camera, opencv, krt, wc14, carwc, world, submission; polylines is a
-submission of where any camera model shows the elements, for --protocol at --size, of the frames
-that --frames names.
+masks are only written. Cameras: soccernet-camera, opencv, krt, wc14, carwc, world, submission;
+polylines (a submission of projections of any camera model, for --protocol at --size, of the frames
+in --frames).
 
-Whatever a format cannot hold is told, line by line.
+What a format cannot hold is listed.
 
 Exit code: 0; 1 if some files or frames were left out (listed); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator convert match/ cvat.zip --to cvat --pictures
-  procc-annotator convert task/annotations.xml back/ --to soccernet
-  procc-annotator convert match/ masks/ --to masks --line-width 6
-  procc-annotator convert cameras/ submission.zip --to submission --split test
+  procc-annotator convert sample_data cvat.zip --to cvat --pictures
+  procc-annotator convert cvat.zip back/ --to soccernet
+  procc-annotator convert sample_data masks/ --to masks --line-width 6
+  procc-annotator convert sample_data/cameras/true submission.zip --to submission --split test
 """
 
 # By --to, the format written; annotations of SoccerNet are what "soccernet" alone means here.
@@ -79,7 +78,7 @@ class ConvertOptions:
         typer.Option(
             metavar="WxH",
             callback=options.checked_size,
-            help="Size of pictures that are not there and whose size no file tells; of cameras:"
+            help="Size of pictures that are missing and not stated in a file; of cameras:"
             " the size they are written for.",
         ),
     ] = None
@@ -176,7 +175,7 @@ def _convert_annotations(given: ConvertOptions) -> int:
     if not done.frames and done.problems and all(SIZE_UNKNOWN in one for one in done.problems):
         raise UsageError(
             f"nothing to do: {done.title} is in pixels, and the size of no picture of {source} is"
-            " known; put the pictures beside the annotations, or name their size: --size WxH"
+            " known; put the pictures next to the annotations, or name their size: --size WxH"
         )
     unreadable = remarks.report_unreadable(done.problems, "left out")
     if not done.frames:
@@ -235,8 +234,8 @@ def _convert_cameras(given: ConvertOptions) -> int:
     of = f", for pictures of {fixed[0]}x{fixed[1]} px, as the format has it" if fixed else ""
     echo(f"{pluralize(done.written, 'camera')} written to {given.out}{of}")
     if given.to == "world":
-        told = "nothing in these files tells them from wc14: read them with --camera-format world"
-        remarks.report_remarks([told])
+        note = "these files look like wc14: read them with --camera-format world"
+        remarks.report_remarks([note])
     return unreadable
 
 

@@ -19,15 +19,17 @@ from procc_annotator.messages import pluralize
 from procc_annotator.resources import resources_dir
 
 HELP = """\
-With --install the program is in the menus of your Linux desktop, with its icon, and offered for
-folders, pictures, videos and field.toml; with --remove it is not any more. Files go to your own
-XDG_DATA_HOME (~/.local/share) and nowhere else; nothing needs rights. With neither, the files are
-listed.
+--install adds the program to the menus of a Linux desktop, with its icon, for folders, pictures,
+videos and field.toml; --remove removes it. Files are written to XDG_DATA_HOME (~/.local/share)
+only, without special rights. With neither option they are listed.
 
-Exit code: 0; 2 if it cannot be done here.
+Exit code: 0; 2 on other systems.
 """
 
-EXAMPLE = "  procc-annotator desktop-entry --install\n"
+EXAMPLE = """\
+  procc-annotator desktop-entry --install
+  procc-annotator desktop-entry --remove
+"""
 
 ID = "org.procc.Annotator"
 _SPECIAL = '"`$\\'

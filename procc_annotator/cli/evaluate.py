@@ -33,29 +33,27 @@ from procc_annotator.report.scores.inference import InferenceSettings
 from procc_annotator.report.scores.scoring import EvaluationRequest, Evaluations
 
 HELP = """\
-ANNOTATIONS and CAMERAS are folders or zip archives: 00037.json and camera_00037.json (or a
-homography), directly or inside one split folder. ANNOTATIONS may also be a dataset folder, with
-its annotations beside the pictures or in annotations/, or a season (see track) with match_frames/
-beside match.mp4: CAMERAS may then be what track wrote.
+ANNOTATIONS and CAMERAS are folders or zip archives with 00037.json and camera_00037.json (or a
+homography). ANNOTATIONS may also be a dataset folder, or a season (see track) with match_frames/
+next to match.mp4; CAMERAS may be the output of track.
 
-Several methods on one set: ANNOTATIONS --cameras A=PATH --cameras B=PATH. Several sets: --set
-S=ANNOTATIONS --set T=ANNOTATIONS instead of ANNOTATIONS; every method is scored on every set, and
-{set} in the PATH of its cameras stands for the name of the set. Several --size and --threshold are
-all evaluated; cameras whose files name no picture size belong to the first --size, unless
---camera-size says otherwise, and are scaled to the others.
+Several methods: ANNOTATIONS --cameras A=PATH --cameras B=PATH. Several sets: --set S=ANNOTATIONS
+--set T=ANNOTATIONS; {set} in the PATH of cameras is replaced by the name of the set. All --size and
+--threshold are evaluated; cameras without a picture size belong to --camera-size, or to the first
+--size, and are scaled.
 
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 
-An unreadable annotation is listed and left out of every figure. A missing or unreadable camera
-lowers the completeness. A camera without annotation is reported and not counted.
+An unreadable annotation is left out of all metrics. A missing or unreadable camera lowers the
+completeness. A camera without annotation is reported and not counted.
 """
 
 EXAMPLE = """\
-  procc-annotator evaluate annotations/ cameras.zip -t 5 -t 2 --output scores.json
-  procc-annotator evaluate --set wc14=wc14/annotations --set ts=ts/annotations \\
-      --cameras 'pnl={set}/pnlcalib' --cameras 'nbjw:wc14={set}/nbjw.zip' \\
-      --size 960x540 --size 1280x720 --output scores.csv
-  procc-annotator evaluate annotations/ cameras/ --tags stadiums.csv --by stadium --by model
+  procc-annotator evaluate sample_data sample_data/cameras/bad -t 5 -t 2 --output scores.json
+  procc-annotator evaluate sample_data --cameras a=sample_data/cameras/pinhole \\
+      --cameras b=sample_data/cameras/bad --intervals --by zoom
+  procc-annotator evaluate --set soccer=sample_data --set again=sample_data \\
+      --cameras 'bad=sample_data/cameras/bad' --size 960x540 --size 1280x720 --output scores.csv
 """
 
 

@@ -99,14 +99,14 @@ class Plan:
                 "annotations are needed: ANNOTATIONS for one set,"
                 " or --set NAME=ANNOTATIONS for each of several"
                 if annotations is None
-                else f"{annotations}: name it too, with --set NAME=ANNOTATIONS, beside other sets"
+                else f"{annotations}: name it too, with --set NAME=ANNOTATIONS, next to other sets"
             )
         if (cameras is None) == (not sources):
             raise UsageError(
                 "cameras are needed: CAMERAS for one method,"
                 " or --cameras NAME=PATH for each of several"
                 if cameras is None
-                else f"{cameras}: name it too, with --cameras NAME=PATH, beside other --cameras"
+                else f"{cameras}: name it too, with --cameras NAME=PATH, next to other --cameras"
             )
         chosen = tuple(parse_named(text, "NAME=ANNOTATIONS") for text in sets)
         if annotations is not None:

@@ -17,21 +17,20 @@ from procc_annotator.report.export import JAC_FILES, Exported, Scoring, export_d
 from procc_annotator.report.outputs import is_archive
 
 HELP = """\
-DATASET has pictures and annotations, or annotations alone (of any format that is read, also an
-archive). OUT is a folder, or an archive if it ends in .zip. Without --cameras the score files list
-the frames and say that there was nothing to score. Frames that were never annotated get no file.
-Files that are there already are replaced only with --overwrite.
+DATASET has pictures and annotations, or annotations alone, in any format that is read. OUT is a
+folder or .zip with SoccerNet JSON, jac.csv and jac.json. Frames that were never annotated get no
+file. Existing files are replaced only with --overwrite.
 
-With --split OUT is what the official SoccerNet evaluation takes as it is: SPLIT/FRAME.json and
-nothing else; what it would stop at is left out and told. The scores are then beside it
-(match_jac.csv for match.zip), if there are cameras.
+With --split OUT has the layout of the official SoccerNet evaluation, SPLIT/FRAME.json; whatever it
+would stop at is left out and listed. Scores are then written next to it (match_jac.csv for
+match.zip), if there are --cameras.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator export match/ match.zip --cameras predictions/ -t 5 -t 2
-  procc-annotator export match/ test_json.zip --split test
+  procc-annotator export sample_data match.zip --cameras sample_data/cameras/bad -t 5 -t 2
+  procc-annotator export sample_data test_json.zip --split test
 """
 
 

@@ -28,29 +28,33 @@ from procc_annotator.report.field_tables import (
 )
 
 LIST_HELP = "List the fields that come with the program."
-LIST_EXAMPLE = "  procc-annotator field list\n"
+LIST_EXAMPLE = """\
+  procc-annotator field list
+  procc-annotator field list --help
+"""
 CHECK_HELP = """Check a field file.
 
-What cannot be read is told with its line, what was expected and what to do. What can be read but is
-most likely a mistake is a warning: elements outside the field, below the ground or at the place of
-another, colours alike, keys the window needs, a range of the rules that makes no field or that the
-relations between dimensions never allow. A note is
-something that may be left as it is.
+Errors name the line, what was expected and what to do. Warnings are probable mistakes: elements
+outside the field, below the ground or at the place of another, similar colours, keys that the
+window needs, ranges that the relations of dimensions do not allow. Notes may be ignored.
 
-Exit code: 0 if there are no errors or warnings; 1 if there are; 2 if the field cannot be read.
+Exit code: 0 without errors and warnings; 1 with some; 2 if the field cannot be read.
 """
-CHECK_EXAMPLE = "  procc-annotator field check padel.toml\n"
+CHECK_EXAMPLE = """\
+  procc-annotator field check tennis
+  procc-annotator field check soccer
+"""
 SHOW_HELP = """Show a field: its elements, dimensions and symmetries as tables, and its map.
 
-With --output the map is written as a picture. On a terminal a window with the map opens, too, which
-follows a file while it is written and says what is wrong with it (--no-window: without it).
-Dimensions that are not nominal follow the name: futsal:length=39.8,width=19.9 (metres).
+--output writes the map as a picture. On a terminal a window with the map opens as well and follows
+the file while you edit it (--no-window: none). Dimensions that are not nominal follow the name:
+futsal:length=39.8,width=19.9 (metres).
 
 Exit code: 0; 2 if the field cannot be read.
 """
 SHOW_EXAMPLE = """\
   procc-annotator field show basketball_fiba
-  procc-annotator field show padel.toml --output map.svg
+  procc-annotator field show sample_data/volleyball/field.toml --output map.svg
 """
 
 app = typer.Typer(

@@ -34,25 +34,21 @@ from procc_annotator.metrics.setup import EvaluationSetup
 from procc_annotator.report import joint_calibration
 
 HELP = """\
-DATASET is a dataset folder, or a folder or zip archive of annotations; its frames are of one
-stadium, or --groups, else its stadiums.csv, names the stadium of each. Length and width are fitted,
-or whatever --dimension names that the rules of the sport leave open; every frame keeps a camera of
-its own. A dimension that the frames do not determine to half a metre is reported, and keeps its
-value.
+DATASET is a dataset folder, or a folder or zip archive of annotations of one stadium, or of several
+that --groups or its stadiums.csv names. Length and width (or --dimension) are estimated jointly
+with the cameras of all frames. A dimension with a standard deviation above 0.5 m is reported as not
+determined and keeps its value.
 
-With --save the dimensions are kept in the workspace of the dataset, with its field and where its
-lines lie: its window and the other commands then go by them. Those of stadiums go to stadiums.csv
-in its folder, a row a frame, and every frame is fitted, judged and drawn with those of its stadium.
-The official evaluation uses nominal ones, as does --field with the name alone. A single frame tells
-no dimensions: nothing is kept then.
+--save stores the dimensions in the workspace of the dataset, or in stadiums.csv for several
+stadiums; window and commands then use them. The official evaluation uses nominal ones, as does
+--field with the name alone. Dimensions of a single frame are never stored.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator field-size match/ --save
-  procc-annotator field-size annotations/ --groups matches.csv -t 2 -t 5
-  procc-annotator field-size match/ --groups matches.csv --save
+  procc-annotator field-size sample_data
+  procc-annotator field-size sample_data --dimension length --save
 """
 
 
@@ -151,7 +147,7 @@ def _save_of_set(dataset: Path, field: Field, size: FieldSize) -> str:
     """Keep the dimensions that are determined, next to those kept before; return what and where."""
     if size.stadium is not None and size.stadium.frames == 1:
         raise UsageError(
-            "nothing kept: a single frame tells no dimensions, they absorb what belongs to its"
+            "nothing kept: a single frame determines no dimensions, they absorb what belongs to its"
             " camera; annotate more frames of the stadium"
         )
     values = size.stadium.values if size.stadium is not None else {}

@@ -20,16 +20,17 @@ from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.report.overlay_scene import Rendered, Rendering, Scene
 
 HELP = """\
-Rows are frames, columns are methods; elements have the colours of the window, each cell its JaC.
-OUT ends in .svg, .pdf or .png. Without --frame, frames are chosen that show the range: those at
-evenly spaced ranks of their mean JaC over the methods, from the worst to the best.
+Rows are frames, columns are methods; each cell shows the overlay of the window and its JaC. OUT
+ends in .svg, .pdf or .png. Without --frame, frames are chosen at evenly spaced ranks of their mean
+JaC, from the worst to the best.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator figure match/ figure.pdf --cameras ours=run1/ --cameras theirs=run2/
-  procc-annotator figure match/ figure.svg --cameras run1/ --frame 00012 --frame 00047
+  procc-annotator figure sample_data figure.pdf --cameras a=sample_data/cameras/pinhole \\
+      --cameras b=sample_data/cameras/bad
+  procc-annotator figure sample_data figure.svg --cameras sample_data/cameras/bad --frame 00003
 """
 
 

@@ -22,20 +22,20 @@ from procc_annotator.messages import pluralize
 HELP = """\
 POINTS is CSV, JSON or Parquet with the columns frame and x, y in px, or a box (x, y, w, h; x1, y1,
 x2, y2; bbox), of which the middle of the lower edge counts; MOT files are read as they are. A
-number as frame means the only camera whose name ends in it (12: camera_000012.json). Frames of a
-season, where --cameras is what track wrote, are MATCH/FRAME.
+frame number means the only camera with that number at the end of its name (12:
+camera_000012.json). With the output of track for a season, frames are MATCH/FRAME.
 
-The same rows are written with X, Y, on_field and, where cameras keep their covariance or with
---pixel-sd, the standard deviations sigma_x, sigma_y. Rows without a place have empty cells.
+The rows are written with X, Y, on_field and, for cameras with a covariance or with --pixel-sd, the
+standard deviations sigma_x, sigma_y. Rows without a position have empty cells.
 
 Exit code: 0; 1 if some cameras were unreadable (listed); 2 if there was nothing to do or no row
-has a place.
+has a position.
 """
 
 EXAMPLE = """\
-  procc-annotator ground tracks.csv --cameras cameras/ --output positions.csv
-  procc-annotator ground gt.txt --cameras cameras/ --pixel-sd 2 --axes up --output positions.csv
-  procc-annotator ground positions.csv --cameras cameras/ --to-pixels
+  procc-annotator ground sample_data/tracks.csv --cameras sample_data/cameras/true \\
+      --size 1280x720 --camera-size 960x540 --output positions.csv
+  procc-annotator ground positions.csv --cameras sample_data/cameras/true --to-pixels
 """
 
 

@@ -163,7 +163,8 @@ class IntervalOptions:
         bool,
         typer.Option(
             "--power",
-            help="Also how many frames are needed to tell 1, 2 and 5 points of JaC apart.",
+            help="Also the number of frames needed to detect differences of 1, 2 and 5 points of"
+            " JaC.",
         ),
     ] = False
     click_noise: Annotated[
@@ -172,8 +173,7 @@ class IntervalOptions:
             "--annotation-noise",
             metavar="PX|FILE.json",
             help="Also what clicks leave open: everything again and again with every point moved"
-            " by so much (standard deviation, px of the evaluation size), or by what agree's JSON"
-            " tells.",
+            " by so much (standard deviation, px of the evaluation size), or by the JSON of agree.",
         ),
     ] = None
     draws: Annotated[

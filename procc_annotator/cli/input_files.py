@@ -50,7 +50,7 @@ from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 Dataset = Annotated[
     Path,
     typer.Argument(
-        help="Folder of pictures, annotations beside them or in annotations/; or one picture."
+        help="Folder of pictures, annotations next to them or in annotations/; or one picture."
     ),
 ]
 Annotations = Annotated[

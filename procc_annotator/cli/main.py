@@ -20,7 +20,7 @@ from typer.main import get_command
 
 from procc_annotator.cli.echo import echo, example_epilog
 from procc_annotator.error_log import install_handlers, log_path
-from procc_annotator.errors import ProccError, UsageError
+from procc_annotator.errors import ProccError
 from procc_annotator.version import __version__
 
 
@@ -68,31 +68,6 @@ def _filled(group: Any, given: dict[str, Any]) -> Any:
         }
     )
 
-
-# Commands and options (by command) of the release before: this goes with the next one.
-REMOVED_COMMANDS = {
-    "assign": "docs/annotation-study.md does it in a few lines of Python",
-    "gold": "use agree --reference",
-    "headless": "use evaluate, export and render",
-}
-_INFERENCE = {"--click-noise": "--annotation-noise", "--draws": "--resamples"}
-RENAMED_OPTIONS = {
-    "evaluate": {**_INFERENCE, "--recipe": "--manifest"},
-    "report": {**_INFERENCE, "--recipe": "--manifest"},
-    "calibrate": {"--held-out": "--leave-one-out"},
-    "check": {
-        "--least": "--min-severity",
-        "--paint": "--line-evidence",
-        "--no-paint": "--no-line-evidence",
-    },
-    "propose": {"--known": "--known-positions", "--with": "--detector"},
-    "release": {"--by": "--creator", "--before": "--previous", "--second": "--second-annotator"},
-    "triangulate": {"--click-px": "--click-sd"},
-}
-REMOVED_OPTIONS = {
-    "evaluate": {"--table": "write each run with --output scores.csv and join the files"},
-    "report": {"--latex-width": "the tables of --output *.tex fit the text by themselves"},
-}
 
 _NEW_OBJECTS = 20_000  # before garbage is looked for: arrays and frozen values make hardly any
 
@@ -148,78 +123,52 @@ class LazyCommand(TyperCommand):
     def make_context(
         self, info_name: str | None, args: list[str], parent: Any = None, **extra: Any
     ) -> Any:
-        args = [self._renamed(argument) for argument in args]
         return self.load().make_context(info_name, args, parent, **extra)
-
-    def _renamed(self, argument: str) -> str:
-        option, equals, value = argument.partition("=")
-        why = REMOVED_OPTIONS.get(str(self.name), {}).get(option)
-        if why is not None:
-            raise UsageError(f"{option} was removed: {why}")
-        new = RENAMED_OPTIONS.get(str(self.name), {}).get(option)
-        if new is None:
-            return argument
-        echo(f"note: {option} is deprecated, use {new}", err=True)
-        return new + equals + value
 
 
 EXAMPLES = """\
-  procc-annotator                        open the window
-  procc-annotator match/                 ... on a folder of pictures
-  procc-annotator evaluate annotations/ cameras/ --threshold 5
-  procc-annotator COMMAND --help         options and an example of a command
+  procc-annotator                  open the window
+  procc-annotator sample_data      ... on a folder of pictures
+  procc-annotator evaluate sample_data sample_data/cameras/bad --threshold 5
+  procc-annotator COMMAND --help   options and examples of a command
 """
 
 COMMANDS = (
     LazyCommand("open", "Open the window.", "open_window"),
     LazyCommand("evaluate", "Score cameras against annotations."),
-    LazyCommand(
-        "agree", "Compare annotators of the same frames, or each with reference annotations."
-    ),
-    LazyCommand(
-        "compare", "Compare two sources of cameras: how far apart is what each pixel means to them?"
-    ),
-    LazyCommand(
-        "report", "Report how well sources of cameras agree with annotations, side by side."
-    ),
-    LazyCommand("repeat", "Run the command of a manifest again, and list every difference."),
-    LazyCommand(
-        "calibrate", "Fit a camera to the annotation of every frame; pictures are not looked at."
-    ),
-    LazyCommand("propose", "Find the cameras of pictures from the paint in them, without a click."),
-    LazyCommand("track", "Follow the cameras of a video, a season, or consecutive pictures."),
-    LazyCommand("status", "Show how far track is with a season."),
-    LazyCommand("annotate", "Annotate pictures by the paint that given cameras lead to."),
+    LazyCommand("agree", "Compare annotators with each other or a reference."),
+    LazyCommand("compare", "Compare two sets of cameras, in metres and IoU."),
+    LazyCommand("report", "Write a report on methods: HTML, LaTeX, CSV, JSON."),
+    LazyCommand("repeat", "Repeat a run from its manifest; list differences."),
+    LazyCommand("calibrate", "Fit a camera to the annotation of every frame."),
+    LazyCommand("propose", "Find the camera of pictures without annotations."),
+    LazyCommand("track", "Track the camera through videos or a season."),
+    LazyCommand("status", "Show the progress of track."),
+    LazyCommand("annotate", "Annotate the lines that known cameras show."),
     LazyCommand(
         "check",
-        "Find what may be wrong with the labels of a set, also by the paint in its pictures.",
+        "Find wrong labels and misplaced points.",
     ),
-    LazyCommand(
-        "field-size", "Find the dimensions of the field that all frames of a stadium show."
-    ),
-    LazyCommand("triangulate", "Find where landmarks are from clicks in several calibrated views."),
+    LazyCommand("field-size", "Estimate length and width of a stadium's field."),
+    LazyCommand("triangulate", "Triangulate landmarks from several views."),
     LazyCommand(
         "export",
-        "Write a dataset's annotations as SoccerNet JSON, with jac.csv and jac.json beside them.",
+        "Write SoccerNet JSON with JaC per frame.",
     ),
-    LazyCommand("ground", "Find the metres on the ground of pixels in a table, or the way back."),
-    LazyCommand("convert", "Write annotations or cameras in another format."),
-    LazyCommand(
-        "propose-map", "Propose which classes of the field the labels of another program stand for."
-    ),
-    LazyCommand("release", "Write what the keeper of a dataset publishes, for people and hubs."),
+    LazyCommand("ground", "Convert pixels of a table to metres, or back."),
+    LazyCommand("convert", "Convert annotations or cameras to another format."),
+    LazyCommand("propose-map", "Propose a map from foreign labels to classes."),
+    LazyCommand("release", "Write a dataset release: hashes, card, metadata."),
     LazyCommand(
         "render",
-        "Draw the pictures of a dataset with annotation and, given cameras, the projected field.",
+        "Draw overlays, overlay videos and top views.",
     ),
-    LazyCommand("figure", "Draw frames by methods in one figure, as SVG, PDF or PNG."),
-    LazyCommand(
-        "check-submission", "Say what the official SoccerNet evaluation would refuse or pass over."
-    ),
-    LazyCommand("desktop-entry", "Put the program into the menus of a Linux desktop."),
+    LazyCommand("figure", "Draw a figure of frames and methods."),
+    LazyCommand("check-submission", "Check a submission to the SoccerNet evaluation."),
+    LazyCommand("desktop-entry", "Add the program to the menus of a Linux desktop."),
     LazyCommand(
         "field",
-        "List, check and show the fields of sports; yours may be a file (see the user guide).",
+        "List, check and show fields; write your own.",
         "app",
     ),
 )
@@ -240,8 +189,6 @@ class CommandOrPath(TyperGroup):
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         if self._opens_window(args):
             args = ["open", *args]
-        elif args[0] in REMOVED_COMMANDS:
-            ctx.fail(f"{args[0]} was removed: {REMOVED_COMMANDS[args[0]]}")
         return super().parse_args(ctx, args)
 
     def _opens_window(self, args: list[str]) -> bool:

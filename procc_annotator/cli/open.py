@@ -130,21 +130,18 @@ def _qt_folder() -> Path | None:
 
 
 HELP = """\
-PATH is a folder of pictures (or its field.toml), one picture, a video, a season (a folder in which
-videos lie, a .csv that lists them, or a folder that track writes to), or nothing. The word "open"
-may be left out.
+PATH is a folder of pictures (or its field.toml), a picture, a video, a season (a folder with
+videos, a .csv that lists them, or the output of track), or nothing. The word "open" may be left
+out.
 
-With --selftest the program tries itself: the window opens (out of sight, unless QT_QPA_PLATFORM
-says otherwise), one element is annotated in a copy of a picture, saved and read back, and the
-window closes. Exit code: 0 if all went well, 2 if not. No setting and no file of yours is changed.
+--selftest tests the installation: the window opens (off screen, unless QT_QPA_PLATFORM is set), an
+element is annotated in a copy of a picture, saved and read again. Exit code: 0 if all succeeded, 2
+if not. No setting or file of yours is changed.
 """
 
 EXAMPLE = """\
-  procc-annotator open match/ --cameras predictions/
-
-  procc-annotator open match/ --field basketball_fiba
-
-  procc-annotator open match/ --cameras ours=predictions/ --cameras carwc:carwc=npy/
+  procc-annotator open sample_data --cameras sample_data/cameras/bad
+  procc-annotator open sample_data/volleyball --cameras late=sample_data/volleyball/cameras/late
 """
 
 
@@ -158,7 +155,7 @@ class OpenOptions:
     annotations: Annotated[
         Path | None,
         typer.Option(
-            metavar="DIR", help="Folder of the annotation files, if not beside the pictures."
+            metavar="DIR", help="Folder of the annotation files, if not next to the pictures."
         ),
     ] = None
     cameras: Sources = None
@@ -168,7 +165,7 @@ class OpenOptions:
             "--field",
             metavar="NAME|FILE[:DIMENSIONS]",
             help="The field that PATH shows, which its dataset remembers.  [default: what it"
-            " remembers, or what its classes tell]",
+            " remembers, or what its classes suggest]",
         ),
     ] = None
     lines: Lines = None

@@ -198,7 +198,7 @@ FitSize = Annotated[
         metavar="WxH",
         callback=checked_size,
         help="Picture size that cameras and distances are for.  [default: 960 px wide, in the shape"
-        " of the picture beside the annotation; 960x540 without pictures]",
+        " of the picture next to the annotation; 960x540 without pictures]",
     ),
 ]
 FieldName = Annotated[

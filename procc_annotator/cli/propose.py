@@ -46,30 +46,27 @@ from procc_annotator.report.camera_proposals import (
 )
 
 HELP = """\
-DATASET is a folder of pictures, one picture, a video, whose frames are named as the window names
-them (match_000123), or a season (see track): OUT then has a folder a match with its table, and
-MATCH.npz and unsure/MATCH.npz instead of a file a frame. Nobody has to click:
-the camera is found from the paint in the picture. Frames that are annotated are passed over, unless
---all.
+DATASET is a folder of pictures, a picture, a video (frames match_000123) or a season (see track;
+OUT then gets MATCH.npz and unsure/MATCH.npz). The camera is found from the line markings in the
+picture. Annotated frames are skipped, unless --all.
 
-OUT gets camera_FRAME.json for the sure ones, SoccerNet JSON in px of the picture; those that are
-not sure go to OUT/unsure. proposals.csv has a row a frame: state (sure, unsure, none), the
-probability that the camera is right, the reason, coverage (share of the visible model on paint),
-explained (share of the paint on the field that is on the model), residual in px, margin (how much
-better than the next camera), standard deviations, seconds.
+OUT gets camera_FRAME.json for sure cameras (SoccerNet JSON in px of the picture); the others go to
+OUT/unsure. proposals.csv has one row per frame: state (sure, unsure, none), probability of being
+right, reason, coverage (share of the expected lines on paint), explained (share of the paint on the
+field that the lines explain), residual in px, margin to the next camera, standard deviations,
+seconds.
 
-Known positions are searched in addition to all others, and never replace a better camera found
-without them. A position on which three frames or more agree, two of them sure, is known in a second
-search of those that are not sure. A detector is a package that proposes cameras or labelled points
-for a picture (docs/examples/proposer_plugin).
+Known positions are additional hypotheses and never replace a better camera. A position on which
+three frames agree, two of them sure, is used in a second search of the others. A detector is a
+package that proposes cameras or labelled points (docs/examples/proposer_plugin).
 
 Exit code: 0; 1 if some pictures or annotations were unreadable (listed); 2 if there was nothing to
 do. A frame without a camera is no error.
 """
 
 EXAMPLE = """\
-  procc-annotator propose match/ proposed/
-  procc-annotator propose match.mp4 proposed/ --every 25 --known-positions fitted/positions.csv
+  procc-annotator propose sample_data proposed/
+  procc-annotator propose sample_data/shot/match.mp4 found/ --every 20
 """
 
 # Below this many pictures starting processes costs more than it saves.

@@ -28,22 +28,22 @@ from procc_annotator.formats.strict_json import printable
 from procc_annotator.messages import pluralize
 
 HELP = """\
-ANNOTATIONS are of any format that is read. Every label that is no class of the field is compared
-with the classes: by its words (also plural, numbered copies, common words of other languages), and
-by geometry: which element do its shapes lie on? Cameras tell that, those of --cameras, or else ones
-fitted to what is known by name; labels that several lines share (two baselines) are put in the
-order, from the top down or from left to right, that most frames fit.
+ANNOTATIONS are of any format that is read. Each label that is no class of the field is compared
+with the classes by words (also plurals, numbered copies, other languages) and by geometry: on which
+element do its shapes lie, as shown by --cameras or by cameras fitted to the known classes? Labels
+that several lines share are ordered from the top down or from left to right, as fits most frames.
 
-What is written is a proposal: each line says how sure it is and why, and what is open stands there
-as a comment to be filled in. Look at it, then use it with --map, or put it into the dataset's
-folder, where every command finds it.
+The output is a proposal: each line states its certainty and the reason; uncertain lines are
+comments to be completed. Use it with --map, or save it as labels.toml in the dataset's folder.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator propose-map task/annotations.xml --field tennis
-  procc-annotator check task/annotations.xml --field tennis --map labels.toml
+  procc-annotator propose-map sample_data/other_names --output labels.toml
+  procc-annotator propose-map sample_data/other_names --cameras sample_data/cameras/true \\
+      --output again.toml
+  procc-annotator evaluate sample_data/other_names sample_data/cameras/true --map labels.toml
 """
 
 

@@ -58,18 +58,18 @@ from procc_annotator.report.release import (
 )
 
 HELP = """\
-OUT, a folder or a .zip, gets the annotations as they are, splits, the SHA-256 of every annotation
-and picture (index.csv), how the points came to be, the findings of the label check that nobody has
-ignored, a dataset card (README.md, with the header that dataset hubs read), Croissant metadata
-(croissant.json) and a changelog against the release before. Pictures are passed on only with
---pictures: footage often may not be. Nothing of DATASET is changed.
+OUT, a folder or .zip, gets the annotations, splits, the SHA-256 of every annotation and picture
+(index.csv), provenance, findings of the label check, a dataset card (README.md), Croissant metadata
+and a changelog since --previous. Pictures are included only with --pictures, since footage often
+must not be redistributed. DATASET is not changed.
 
 Exit code: 0; 1 if some files were left out (listed); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator release match/ match-1.1/ --version 1.1 --licence CC-BY-4.0 \\
-      --splits splits.csv --second-annotator second/ --previous match-1.0/
+  procc-annotator release sample_data match-1.0/ --version 1.0 --licence CC-BY-4.0
+  procc-annotator release sample_data match-1.1/ --version 1.1 --licence CC-BY-4.0 \\
+      --second-annotator sample_data/second_annotator --previous match-1.0/
 """
 
 _AGREEMENT_TAU = 5.0

@@ -37,20 +37,18 @@ from procc_annotator.report.overlay_scene import (
 
 HELP = """\
 DATASET may be a video. OUT is a folder, or a video if it ends in .mp4; with --top-view also one
-picture (.png, .jpg, .svg, .pdf): the median of the frames from above, without what moves.
+picture (.png, .jpg, .svg, .pdf): the median of the frames from above, without moving objects.
 
-Colours and dashes are those of the window: they say which elements agree at --threshold; --legend
-explains them below each picture. With --format svg lines and text stay sharp at any size. Pictures
-that are there already are replaced only with --overwrite, or after a run that was stopped.
+Colours and dashes are those of the window, at --threshold; --legend explains them below each
+picture. Existing pictures are replaced only with --overwrite, or after a run that was stopped.
 
 Exit code: 0; 1 if some files were unreadable (listed); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator render match/ overlays/ --cameras predictions/ --threshold 5
-  procc-annotator render match/ figures/ --format svg --scale 2 --legend
-  procc-annotator render match.mp4 overlay.mp4 --cameras tracked/
-  procc-annotator render match.mp4 field.png --cameras tracked/ --top-view
+  procc-annotator render sample_data overlays/ --cameras sample_data/cameras/bad --threshold 5
+  procc-annotator render sample_data figures/ --format svg --scale 2 --legend
+  procc-annotator render sample_data above/ --cameras sample_data/cameras/true --top-view
 """
 
 

@@ -22,18 +22,19 @@ from procc_annotator.messages import pluralize
 from procc_annotator.report.tables.data_files import json_bytes
 
 HELP = """\
-MANIFEST is what evaluate or report wrote with --manifest. Its inputs are found by their relative
-paths in --data DIR; without it beside the manifest, in the folder above it, or in the current one.
+MANIFEST was written by evaluate or report with --manifest. Its inputs are searched by their
+relative paths in --data DIR, else next to the manifest, in the folder above, or in the current one.
 
-The same command runs again on these inputs. Every difference is listed: another version, a missing
-file, other content, a file that the manifest does not know, another field, another metric.
+The command runs again on these inputs. Listed are: another version, missing files, other contents,
+files that the manifest does not list, another field, other metrics.
 
-Exit code: 0 if nothing differs; 1 if something does; 2 if it cannot be repeated.
+Exit code: 0 without differences; 1 with some; 2 if it cannot be repeated.
 """
 
 EXAMPLE = """\
-  procc-annotator evaluate wc14/annotations wc14/cameras_pnlcalib --manifest wc14.json
-  procc-annotator repeat wc14.json --data downloads/wc14
+  procc-annotator evaluate sample_data sample_data/cameras/bad --manifest run.json
+  procc-annotator repeat run.json --data sample_data
+  procc-annotator repeat run.json --data sample_data --output differences.json
 """
 
 _COMMANDS = ("evaluate", "report")
@@ -95,7 +96,7 @@ def _root(known: Manifest, manifest: Path, data: Path | None) -> Path:
         raise UsageError(
             f"{first}: is not in {data}; --data names the folder that it lies in by that path"
             if data is not None
-            else f"{first}: is not beside the manifest; say where with --data DIR"
+            else f"{first}: is not next to the manifest; name its folder with --data DIR"
         )
     return best
 

@@ -50,19 +50,20 @@ from procc_annotator.report.page.report_data import AuditReport, ReportWork, gat
 from procc_annotator.report.scores.scoring import EvaluationRequest
 
 HELP = """\
-DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone: overlay
-pictures are then drawn on plain ground.
+DATASET is a folder of pictures and annotations, or a folder or zip of annotations alone (overlays
+are then drawn on plain ground).
 
-The page (.html) is one file that loads nothing: tables, curves, histograms, the worst frames and
-some drawn by lot, with explanations and definitions. Figures go to .csv and .json, tables for a
-paper to .tex. Repeat --output for several files.
+The page (.html) is one file that loads nothing: tables, curves, histograms, worst and random
+frames, with definitions. .csv and .json hold the metrics, .tex the tables for a paper. Repeat
+--output for several files.
 
 Exit code: 0; 1 if some files were unreadable (listed, one line each); 2 if there was nothing to do.
 """
 
 EXAMPLE = """\
-  procc-annotator report match/ --cameras ours=run1/ --cameras carwc:carwc=homographies/ \\
-      --disagreement ours,carwc --output report.html --output table.tex
+  procc-annotator report sample_data --cameras bad=sample_data/cameras/bad --output report.html
+  procc-annotator report sample_data --cameras a=sample_data/cameras/pinhole \\
+      --cameras b=sample_data/cameras/bad --disagreement a,b --output table.tex
 """
 
 DEFAULT_THRESHOLDS = (5.0, 2.0, 10.0)
@@ -125,7 +126,7 @@ class ReportOptions:
         int, typer.Option(min=0, max=1000, metavar="N", help="Worst frames to draw, a source.")
     ] = 4
     random: Annotated[
-        int, typer.Option(min=0, max=1000, metavar="N", help="Frames to draw by lot.")
+        int, typer.Option(min=0, max=1000, metavar="N", help="Number of random frames.")
     ] = 3
     seed: Annotated[
         int, typer.Option(min=0, metavar="N", help="Of the lot, and of sets drawn.")

@@ -21,15 +21,17 @@ from procc_annotator.report.page.status import status_bytes, status_kind
 from procc_annotator.report.tracking import season_progress, season_table
 
 HELP = """\
-OUT is a folder that track writes to, or wrote to; the run may go on meanwhile. A row a match: its
-state, frames, units of work, frames per second of work in one process, mean share of the visible
-model on paint (0 in frames without a camera), when it last changed. Then how much is done, how fast
-it went in the last half hour, what is left, and units that were set aside, with the reason.
+OUT is the output folder of track; the run may still be active. One row per match: state, frames,
+units of work, frames per second of one process, mean coverage (0 in frames without a camera), last
+change. Then the progress, the speed of the last half hour, the remaining work, and units that were
+set aside, with the reason.
 
 Exit code: 0; 1 if units were set aside.
 """
 
 EXAMPLE = """\
+  procc-annotator track sample_data/shot/ tracked/
+  procc-annotator status tracked/
   procc-annotator status tracked/ --price 0.05 --output status.html
 """
 

@@ -36,30 +36,27 @@ from procc_annotator.messages import pluralize
 from procc_annotator.report.tracking import season_table
 
 HELP = """\
-SOURCE is a video, whose frames are named as the window names them (match_000123), a folder, .zip
-or .tar of consecutive pictures, or a season: a folder in which such files lie, or a .csv with a row
-a match: video, match, stadium, field, start (all but the first may be absent). With the extra cloud
-these, and OUT, may be URLs (docs/season.md). Each is cut into its shots,
-these into pieces of at most a minute; in each the camera is followed forwards and backwards from
-the frames whose camera is known: annotated ones (--annotations) and those of files (--cameras), of
-a season from folders called like the matches. The track passes through them. Where none is known,
-one is found in the picture, as propose does. Pieces of a shot hand their cameras on to each other;
-where none is found, one is looked for where those of the match's other shots stand, or those of
-earlier matches in the stadium.
+SOURCE is a video (frames match_000123), a folder, .zip or .tar of consecutive pictures, or a
+season: a folder with such files, or a .csv with the columns video, match, stadium, field, start
+(only video is required). With the extra cloud they, and OUT, may be URLs. Videos are cut into
+shots, and these into pieces of up to a minute. The camera is tracked in both directions from frames
+where it is known: annotated ones (--annotations) or those of --cameras; the track passes through
+them. Elsewhere a camera is found in a picture, as by propose. Pieces of a shot are joined; where
+none is found, the positions of the match's other shots, and of earlier matches in the stadium, are
+tried.
 
-OUT gets MATCH.npz, which every command reads as cameras; its columns are in docs/season.md. convert
-writes a file a frame from it.
+OUT gets MATCH.npz, which all commands read as cameras; convert writes a file per frame from it.
 
-OUT/track.sqlite says which pieces are done: a run that was stopped or killed is started again to go
-on, with other workers too. A piece that failed three times is set aside and named.
+OUT/track.sqlite stores finished pieces: a stopped run continues with the same command, with other
+workers as well. A piece that failed three times is set aside and listed.
 
 Exit code: 0; 1 if some pictures, annotations or cameras were unreadable (listed); 2 if there was
-nothing to do. A frame that is lost is no error.
+nothing to do. A lost frame is no error.
 """
 
 EXAMPLE = """\
-  procc-annotator track match.mp4 tracked/ --annotations match_frames/
-  procc-annotator track season/ tracked/ --workers 8
+  procc-annotator track sample_data/shot/match.mp4 tracked/
+  procc-annotator track sample_data/shot/ season/ --workers 2
 """
 
 ONLY = ("missing", "failed", "doubtful")

@@ -51,7 +51,7 @@ def check_values(model: str, click_px: float | None) -> None:
     """Raise UsageError for what no camera can be fitted or no place be found with."""
     require_known_model(model)
     if model == "H":
-        raise UsageError("a homography tells no place in space: choose P, R, R+ or auto, not H")
+        raise UsageError("a homography has no position in space: choose P, R, R+ or auto, not H")
     if click_px is not None and not click_px > 0:
         raise UsageError(f"--click-sd must be a positive number of pixels, not {click_px:g}")
 
@@ -175,28 +175,25 @@ def keep_groups(target: Path, groups: ViewGroups, dataset: Path) -> None:
 
 
 HELP = """\
-DATASET is a dataset folder, or a folder or zip archive of annotations. Every class with one point a
-frame that the field does not know is a landmark. What stays in its place is triangulated from all
-frames; a moving object (--moving, or "moving" in landmarks.json) from the frames of each instant,
-which views.csv in the dataset's folder tells (columns frame, instant, view), or --views, or
---pattern from the frames' names.
+DATASET is a dataset folder, or a folder or zip archive of annotations. Each class with one point
+per frame that the field does not have is a landmark. Fixed landmarks are triangulated from all
+frames, moving objects (--moving, or "moving" in landmarks.json) from the frames of each instant, as
+given by views.csv (columns frame, instant, view), --views, or --pattern.
 
-Cameras are those of --cameras, which are taken as they are; without it one is fitted to each
-frame's annotation, and its uncertainty is part of the landmark's. Triangulated landmarks take no
-part in these fits; surveyed ones do.
+Cameras come from --cameras, taken as exact, or are fitted to each frame's annotation, with their
+uncertainty. Landmarks that were triangulated do not influence these fits; surveyed ones do.
 
-The positions are written to landmarks.json in the dataset's folder, which annotating, scoring,
-fitting, checking and rendering then use. Positions that were surveyed are never changed, but
-compared to their clicks; nor is what cannot be triangulated.
+Positions are written to landmarks.json in the dataset's folder and used from then on. Surveyed
+positions are never changed, only compared with their clicks.
 
 Exit code: 0; 1 if some annotations were unreadable (listed); 2 if there was nothing to do. A
 landmark without a position is listed with the reason and is no error.
 """
 
 EXAMPLE = """\
-  procc-annotator triangulate match/ --cameras match/cameras/
-  procc-annotator triangulate match/ --pattern '{instant}_{view}' --moving Ball
-  procc-annotator triangulate match/ --surveyed 'Floodlight NE=61.2,-45.0,-28.4'
+  procc-annotator triangulate sample_data/views --pattern '{instant}_{view}' -o landmarks.json
+  procc-annotator triangulate sample_data/views --cameras sample_data/views/cameras \\
+      --surveyed 'Clock=12.0,-52.0,-11.0'
 """
 
 

@@ -150,7 +150,7 @@ def found_instead_of_pictures(place: Path) -> str:
     with open_source(place) as source:
         if not has_packed_pictures(source):
             return _unread(source, source.tree())
-    return f"; they are still packed: unpack each {_PACKED} into a folder v3_frames beside it"
+    return f"; they are still packed: unpack each {_PACKED} into a folder v3_frames next to it"
 
 
 # So many annotated frames show which field a set has.

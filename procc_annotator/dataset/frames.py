@@ -340,7 +340,7 @@ def _not_used(root: Path, only_folder: str, frames: Sequence[Frame]) -> Iterator
         return
     names = ByFrame((frame.name, None) for frame in frames)
     if unused := sum(stem in names for stem in json_stems(beside)):
-        yield f"annotations are those in {folder}; {unused} beside the pictures are not used"
+        yield f"annotations are those in {folder}; {unused} next to the pictures are not used"
 
 
 def video_frame(video: Path, number: int) -> Frame:

@@ -335,7 +335,7 @@ class SizesUsed:
             if self.asked is not None and not same_shape(size.picture, self.asked):
                 said.append(
                     f"{pictures}, but fitted at {_words(self.asked)}, which has another shape:"
-                    " cameras are wrong for them (leave --size out, and the pictures tell it)"
+                    " cameras are wrong for them (leave --size out, and the pictures state it)"
                 )
             elif self.asked is None and size.fitted != DEFAULT_SIZE:
                 said.append(f"{pictures}: fitted at {_words(size.fitted)}")

@@ -169,7 +169,7 @@ def _in_list(path: Path, folder: Path, remark: Callable[[str], None]) -> Iterato
         parts = [part.strip() for part in (cells["match"] or file_name(video).stem).split("/")]
         name = "/".join(parts)
         if (before := lines.get(name.casefold())) is not None:
-            why = f"is the second match called {name!r}, beside line {before}"
+            why = f"is the second match called {name!r}, after line {before}"
             raise InputError(path, why, place=place, advice="give them different names (match)")
         if not all(map(is_file_name, parts)):
             why = f"match {name!r} is no name of a file on every system"

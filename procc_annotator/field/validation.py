@@ -174,7 +174,7 @@ def _outside(field: Field, span: NDArray[np.float64]) -> Iterator[FieldWarning]:
         yield FieldWarning(
             "dimensions",
             "there is no length and width of these names",
-            "the size of the field is told, changed and measured by them",
+            "the size of the field is shown, changed and estimated by them",
         )
         return
     size = np.array([side.value for side in sides if side is not None])
@@ -220,7 +220,7 @@ def _placement_warnings(field: Field) -> Iterator[FieldWarning]:
             yield FieldWarning(
                 _place(other),
                 f"lies where {one.title!r} lies",
-                "nobody can tell them apart: is one of them on the other side?",
+                "they cannot be distinguished: is one of them on the other side?",
             )
 
 
@@ -242,7 +242,7 @@ def _symmetry_warnings(field: Field) -> Iterator[FieldWarning]:
         yield FieldWarning(
             "symmetries",
             f"a turn by {turns} degrees takes the field to itself, but is not listed",
-            f"symmetries = [{whole}], unless people can tell the sides apart",
+            f"symmetries = [{whole}], unless the sides can be distinguished",
         )
 
 
@@ -281,8 +281,8 @@ def _colour_warnings(field: Field) -> Iterator[FieldWarning]:
             if colour_difference(one.colour, other.colour) < _MIN_COLOUR_DIFFERENCE:
                 yield FieldWarning(
                     f"{_place(other)}.colour",
-                    f"{other.colour} can hardly be told from {one.title!r}, {one.colour}, in the"
-                    f" group {group!r}",
+                    f"{other.colour} is hard to distinguish from {one.title!r}, {one.colour}, in"
+                    f" the group {group!r}",
                     "choose colours that differ",
                 )
 

@@ -275,7 +275,7 @@ def list_cameras(source: FileSource, fmt: str = "auto") -> CameraFiles:
         found.notices = (
             f"{count} {'file' if count == 1 else 'files'} like {_file_of(passed_over[0])} taken for"
             f" {'an annotation, not a camera' if count == 1 else 'annotations, not cameras'},"
-            f" because of camera_*.json beside {'it' if count == 1 else 'them'}",
+            f" because of camera_*.json next to {'it' if count == 1 else 'them'}",
         )
     if found and not in_tree and (below := _cameras_below(source, {*found.values()})):
         left_out = f"{list_names(below, 'file')} in folders below left out: keep all at one depth"
@@ -372,7 +372,7 @@ def _unique_by_frame(called: Iterable[tuple[str, str]], source: FileSource) -> d
         if frame in found:  # letters composed otherwise are another file's business
             raise InputError(
                 source.display(name),
-                f"is the second file for frame {frame!r}, beside {found[frame]}",
+                f"is the second file for frame {frame!r}, after {found[frame]}",
                 advice="keep one of them, or choose a camera format",
             )
         found[frame] = name

@@ -36,7 +36,7 @@ _BOXES: tuple[tuple[str, FloatArray], ...] = (
 )  # fmt: skip
 _PIXELS = (*_BOXES, ("x y", _POINT), ("x_px y_px", _POINT), ("u v", _POINT))
 _METRES = (("X Y", _POINT), ("x_m y_m", _POINT), ("x y", _POINT))
-_EXPECTED = "expected frame and {} (docs/pixels-to-metres.md)"
+_EXPECTED = "expected frame and {} (docs/reference/files.md)"
 # Decimals as most of Europe writes them; with three digits they may be thousands.
 _COMMA, _THOUSANDS = re.compile(r"-?\d+,\d+", re.ASCII), re.compile(r"-?\d{1,3},\d{3}", re.ASCII)
 Row = dict[str, Any]

@@ -1,7 +1,7 @@
 """Metrics of earlier papers: IoU, projection and reprojection error against a reference camera.
 
-Definitions, sources and choices are in docs/metrics.md. Whatever a paper leaves to chance (random
-samples) is a regular grid here, so that a figure can be had again.
+Definitions, sources and choices are in docs/explanation/metric.md. Whatever a paper leaves to
+chance (random samples) is a regular grid here, so that a figure can be had again.
 """
 
 from __future__ import annotations

@@ -136,7 +136,7 @@ def facts(field: Field) -> list[str]:
     said.append(
         f"symmetries: looks the same turned by {' and '.join(turns)} degrees"
         if turns
-        else "symmetries: none, its sides can be told apart"
+        else "symmetries: none, its sides can be distinguished"
     )
     if field.cameras is not None:
         places = field.cameras

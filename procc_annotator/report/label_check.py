@@ -246,8 +246,8 @@ def frames_without_camera_words(report: CheckReport) -> list[str]:
     no_fit = len(counts) - empty - few
     lines = [
         (empty, "no element at all: nothing to look at"),
-        (few, "too few elements for a camera: looked at by eye only"),
-        (no_fit, "no camera that fits: looked at by eye only"),
+        (few, "too few elements for a camera: only checked by rules that need no camera"),
+        (no_fit, "no camera that fits: only checked by rules that need no camera"),
     ]
     return [
         f"{pluralize(count, 'frame has', 'frames have')} {words}" for count, words in lines if count

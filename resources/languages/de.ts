@@ -581,7 +581,7 @@
    <translation>in keiner Ansicht geklickt, die eine Kamera hat</translation>
   </message>
   <message>
-   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <source>cameras that know only the ground (homographies) have no position in space</source>
    <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
    <translation>Kameras, die nur den Boden kennen (Homographien), bestimmen keinen Ort im Raum</translation>
   </message>

@@ -581,7 +581,7 @@
    <translation>no marcado en ninguna vista con cámara</translation>
   </message>
   <message>
-   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <source>cameras that know only the ground (homographies) have no position in space</source>
    <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
    <translation>las cámaras que solo conocen el suelo (homografías) no dan ningún lugar en el espacio</translation>
   </message>

@@ -581,7 +581,7 @@
    <translation>cliqué dans aucune vue qui ait une caméra</translation>
   </message>
   <message>
-   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <source>cameras that know only the ground (homographies) have no position in space</source>
    <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
    <translation>les caméras qui ne connaissent que le sol (homographies) ne donnent aucun lieu dans l’espace</translation>
   </message>

@@ -573,7 +573,7 @@
    <translation>カメラのあるどのビューでもクリックされていません</translation>
   </message>
   <message>
-   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <source>cameras that know only the ground (homographies) have no position in space</source>
    <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
    <translation>地面しか知らないカメラ（ホモグラフィ）では空間の位置が分かりません</translation>
   </message>

@@ -573,7 +573,7 @@
    <translation>未在任何有相机的视图中点击</translation>
   </message>
   <message>
-   <source>cameras that know only the ground (homographies) tell no place in space</source>
+   <source>cameras that know only the ground (homographies) have no position in space</source>
    <extracomment>[procc_annotator/calibration/triangulation.py]</extracomment>
    <translation>只知道地面的相机（单应矩阵）无法给出空间位置</translation>
   </message>

@@ -21,12 +21,12 @@ CURVE_POINTS = 9
 _SAMPLES_M = 0.02
 
 
-def annotation_of(sport: Sport, view: View) -> FrameAnnotation:
+def annotation_of(sport: Sport, view: View, annotator: int = 1) -> FrameAnnotation:
     """Every visible element that is long enough: two or three points, about nine on curves.
 
-    Single places are clicked where they are in the picture.
+    Single places are clicked where they are in the picture. Annotators differ in their noise.
     """
-    random = np.random.default_rng(int(view.name) + 1000)
+    random = np.random.default_rng(int(view.name) + 1000 * annotator)
     pieces = _pieces(sport, view)
     polylines = []
     for element in sport.clicked:

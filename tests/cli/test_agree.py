@@ -255,7 +255,7 @@ def test_folders_that_may_be_matches_are_told_and_known_ones_kept_apart(cli, dat
     anna, ben, ute, cleo = (tmp_path / who for who in ("anna", "ben", "ute", "cleo"))
     done = cli("agree", anna, ben)
     assert "Agreement of 5 frames" in done.stdout
-    assert f"{anna}/g1/ and {ben}/g2/ is taken for the same frames" in done.stderr
+    assert f"{anna}/g1/ and {ben}/g2/ are taken as the same frames" in done.stderr
     assert cli("agree", anna, ute).stderr == ""
     out = tmp_path / "out.json"
     done = cli("agree", anna, ben, cleo, "-o", out)  # of whom one has both folders
@@ -343,7 +343,7 @@ def test_what_cannot_be_done_is_one_line(cli, dataset, study, tmp_path):
     other, reference = tmp_path / "other.csv", ("--reference", dataset.root)
     other.write_text("frame,x\n1,1\n2,1\n3,1\n10,1\n11,1\n,1\n")
     for arguments, words in (
-        ((study / "anna", *reference), "nobody has annotated any of 4 reference frames"),
+        ((study / "anna", *reference), "there is no annotation of any of 4 reference frames"),
         ((study / "anna", "--reference", tmp_path / "none"), "none: no such file"),
         ((dataset.annotations, *reference, "--frames", other), "7: names no frame"),
         ((dataset.annotations, *reference, "--power"), "goes without"),

@@ -258,6 +258,6 @@ def test_an_interrupted_run_says_how_to_go_on(cli, match, monkeypatch):
     painted = auto_annotation.annotate_picture
     monkeypatch.setattr(auto_annotation, "annotate_picture", stopped)
     done = cli("annotate", match.pictures, match.annotations, "--cameras", match.cameras, code=130)
-    assert f"interrupted: 2 of {FRAMES} frames looked at, 2 annotations written" in done.stderr
+    assert f"interrupted: 2 of {FRAMES} frames examined, 2 annotations written" in done.stderr
     assert names_in(match.annotations) == ["00000.json", "00001.json"]
     assert set(kinds_of(match.pictures, match.annotations / "00001.json")) == {OriginKind.PROPOSED}

@@ -142,7 +142,7 @@ def test_several_sets_are_told_apart(cli, methods):
     [
         (("--cluster", "match"), "cannot cluster by 'match': there is shot, none; tags come from"),
         (("--cluster", "x", "--tags", "tags.csv"), "there is shot, none, light, match"),
-        (("--cluster", "shot"), "names of frames tell no shots"),
+        (("--cluster", "shot"), "names of frames contain no shots"),
         (("--interval-method", "guess"), "is not one of t, percentile, bca"),
         (("--by", "weather"), "cannot group by 'weather'"),
     ],

@@ -321,7 +321,7 @@ def test_pictures_of_soccernet_v3_that_are_still_packed_are_told(cli, tmp_path):
     )
     (game / "Frames-v3.zip").write_bytes(b"")
     done = cli("render", tmp_path, tmp_path / "out", code=2)
-    assert "unpack each Frames-v3.zip into a folder v3_frames beside it" in done.stderr
+    assert "unpack each Frames-v3.zip into a folder v3_frames next to it" in done.stderr
 
 
 @pytest.mark.parametrize("place", ["annotations/{}", "{}/annotations", "{}"])

@@ -291,25 +291,6 @@ def test_a_stopped_run_goes_on_by_being_run_again(cli, dataset, tmp_path, monkey
         assert files(out) == whole
 
 
-def test_a_removed_command_says_what_to_use(cli):
-    done = cli("gold", "match/", "anna/", code=2)
-    assert "gold was removed: use agree --reference" in done.stderr
-    done = cli("evaluate", "match/", "cameras/", "--table", "x.csv", code=2)
-    assert "--table was removed: write each run with --output" in done.stderr
-
-
-def test_an_option_of_the_release_before_is_translated(cli, dataset):
-    old, new = (
-        cli("check", dataset.root, severity, no_pictures)
-        for severity, no_pictures in (
-            ("--least=error", "--no-paint"), ("--min-severity=error", "--no-line-evidence"),
-        )
-    )  # fmt: skip
-    assert (old.exit_code, old.stdout) == (new.exit_code, new.stdout)
-    assert "--least is deprecated, use --min-severity" in old.stderr
-    assert "deprecated" not in new.stderr
-
-
 def test_help_does_not_load_arrays_or_pictures():
     code = (
         "import sys\n"

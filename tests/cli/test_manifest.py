@@ -52,7 +52,7 @@ def test_a_manifest_holds_the_run_and_no_path_of_the_machine(manifest, data):
     assert evaluation["summary"].keys() == {"5", "2"}
 
 
-def test_it_is_repeated_elsewhere_and_by_its_old_name(cli, manifest, data, tmp_path):
+def test_it_is_repeated_elsewhere(cli, manifest, data, tmp_path):
     elsewhere = tmp_path / "far" / "away"
     shutil.copytree(data, elsewhere)
     shutil.rmtree(data)
@@ -60,10 +60,6 @@ def test_it_is_repeated_elsewhere_and_by_its_old_name(cli, manifest, data, tmp_p
     assert (done.exit_code, "the same" in done.stdout) == (0, True), done.output
     (elsewhere / "runs").mkdir()
     cli("repeat", shutil.copy(manifest, elsewhere / "runs"))
-    old = tmp_path / "old.json"
-    done = cli("evaluate", elsewhere, elsewhere / "cameras" / "bad", "--recipe", old)
-    assert "--recipe is deprecated, use --manifest" in done.stderr
-    assert json.loads(old.read_text())["format"] == "procc-annotator manifest 1"
 
 
 def test_what_differs_is_listed(cli, manifest, data, tmp_path):

@@ -192,6 +192,6 @@ def test_a_stadium_of_one_frame_is_not_kept(cli, two, tmp_path):
 
 def test_a_release_carries_them(cli, known, tmp_path):
     out = tmp_path / "published"
-    cli("release", known, out, "--version", "1.0", "--by", "Ann Other", "--no-check")
+    cli("release", known, out, "--version", "1.0", "--creator", "Ann Other", "--no-check")
     assert (out / "stadiums.csv").read_bytes() == (known / "stadiums.csv").read_bytes()
     assert "`stadiums.csv`: the stadium of each frame" in (out / "README.md").read_text()

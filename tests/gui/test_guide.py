@@ -11,14 +11,16 @@ def test_help_opens_the_guide(window):
     guide = window.findChild(Guide, "guide")
     assert guide.isVisible()
     headings = [guide.headings.item(i).text().strip() for i in range(guide.headings.count())]
-    assert "Videos" in headings
-    guide.headings.itemClicked.emit(guide.headings.item(headings.index("Videos")))
-    assert guide.page.textCursor().block().text() == "Videos"
-    guide.page.anchorClicked.emit(QUrl("fitting.md"))
-    assert guide.page_name == "fitting.md"
-    guide.page.anchorClicked.emit(QUrl("../README.md"))  # not of the guide
-    assert guide.page_name == "fitting.md"
-    QTest.keyClicks(guide.search, "covariance")
+    assert headings == ["User guide", "Tutorials", "How-to", "Reference", "Explanation"]
+    guide.headings.itemClicked.emit(guide.headings.item(headings.index("Reference")))
+    assert guide.page.textCursor().block().text() == "Reference"
+    guide.page.anchorClicked.emit(QUrl("explanation/uncertainty.md"))
+    guide.page.anchorClicked.emit(QUrl("fitting.md#models"))
+    assert guide.page_name == "explanation/fitting.md"
+    assert guide.page.textCursor().block().text() == "Models"
+    guide.page.anchorClicked.emit(QUrl("../../README.md"))  # not of the guide
+    assert guide.page_name == "explanation/fitting.md"
+    QTest.keyClicks(guide.search, "evidence")
     guide.search.returnPressed.emit()
-    assert guide.page.textCursor().selectedText().lower() == "covariance"
+    assert guide.page.textCursor().selectedText().lower() == "evidence"
     guide.close()

@@ -282,7 +282,7 @@ def fit_dimensions(
     names = fittable_dimensions(field, names)
     fits = {name: fit for name, fit in alone.items() if _is_informative_fit(fit)}
     if not fits:
-        raise UsageError("no frame has a camera that the field's dimensions could be told from")
+        raise UsageError("no frame has a camera that determines the field's dimensions")
     for _ in range(_MAX_ROUNDS):
         sightings = [
             frame_observations(annotations[name], fit, field) for name, fit in fits.items()

@@ -130,10 +130,10 @@ class ClickGathering:
 
     def _why_alone(self, clicks: Sequence[Click]) -> str:
         if not self.groups.told_by:
-            return "no views.csv tells when its frames were taken, as a moving object needs"
+            return "no views.csv states when its frames were taken, as a moving object needs"
         more = f" and {len(clicks) - 1} more" if len(clicks) > 1 else ""
         return (
-            f"{self.groups.told_by} does not tell when {clicks[0].frame}{more} was taken, as a"
+            f"{self.groups.told_by} does not state when {clicks[0].frame}{more} was taken, as a"
             " moving object needs"
         )
 

@@ -210,7 +210,8 @@ def write_many(frames: Iterable[ExchangedFrame], writing: WriteContext) -> None:
         polylines = frame.annotation.polylines
         if not polylines:
             writing.remarks.add(
-                f"{_TITLE} cannot tell annotated frames without any element from others", frame.name
+                f"{_TITLE} cannot distinguish annotated frames without any element from others",
+                frame.name,
             )
         image: dict[str, Any] = {
             "id": len(images) + 1,

@@ -122,7 +122,8 @@ def _spellable(frame: ExchangedFrame, writing: WriteContext) -> tuple[Polyline, 
     )
     if not polylines:
         writing.remarks.add(
-            f"{_TITLE} cannot tell annotated frames without any element from others", frame.name
+            f"{_TITLE} cannot distinguish annotated frames without any element from others",
+            frame.name,
         )
     return polylines
 
@@ -211,7 +212,7 @@ def _picture(number: int, root: Element, path: str, reading: ReadContext) -> str
             path,
             f"there are {len(reading.pictures)} pictures, the first of them has the number 0",
             place=f"frame {number}",
-            advice="put all pictures of the task beside it",
+            advice="put all pictures of the task next to it",
         )
     return reading.pictures[number]
 

@@ -210,8 +210,8 @@ class ReadContext:
             self.remarks.add("points of pictures as stored: EXIF data turn these pictures", self.at)
         size = size or shown
         if size is None:
-            advice = "put the picture beside it, or give the size"
-            problem = "does not tell the size of the picture"
+            advice = "put the picture next to it, or give the size"
+            problem = "does not state the size of the picture"
             raise AnnotationError(path, problem, place=place, advice=advice)
         return size
 
@@ -299,7 +299,7 @@ class WriteContext:
             return frame.size
         self.problems.append(
             f"{printable(frame.name)}: not written: {SIZE_UNKNOWN}"
-            " (put the pictures beside the annotations, or give the size)"
+            " (put the pictures next to the annotations, or give the size)"
         )
         return None
 

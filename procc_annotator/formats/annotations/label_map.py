@@ -247,7 +247,7 @@ def read_label_map(path: Path, field: Field) -> LabelMap:
     labels = content.pop(_TABLE, None)
     if type(labels) is not dict or content:
         strange = next(iter(content), None)
-        found = "no table [labels]" if strange is None else f"{short_repr(strange)} beside it"
+        found = "no table [labels]" if strange is None else f"{short_repr(strange)} next to it"
         raise InputError(path, f"expected one table [labels] of names and classes, found {found}")
     rules: dict[str, Rule] = {}
     for label, value in labels.items():

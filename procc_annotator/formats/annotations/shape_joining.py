@@ -189,7 +189,7 @@ def extra_of(value: Any, path: str, place: str, field: Field) -> tuple[tuple[str
     if wrong is not None:
         raise AnnotationError(
             path,
-            f"expected an object of entries beside the classes, found {wrong}",
+            f"expected an object of entries next to the classes, found {wrong}",
             place=place,
             advice="remove this key",
         )

@@ -262,8 +262,7 @@ class CameraCollection:
                 if frame in frames:
                     raise InputError(
                         self._source.display(file),
-                        f"is the second file for frame {printable(frame)!r},"
-                        f" beside {frames[frame]}",
+                        f"is the second file for frame {printable(frame)!r}, after {frames[frame]}",
                         advice=_ONE_OF_THEM,
                     )
                 frames[frame] = file

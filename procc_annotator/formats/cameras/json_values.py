@@ -187,7 +187,7 @@ class JsonValues:
             for key, other in (keys, keys[::-1]):
                 if key in self.content:
                     raise self.error(
-                        f"tells {key!r} without {other!r}, expected both or neither",
+                        f"has {key!r} without {other!r}, expected both or neither",
                         key,
                         advice="add the other one",
                     )

@@ -156,8 +156,8 @@ class CameraRecords:
                 self.path,
                 f"holds {len(records)} cameras for frame {printable(frame)!r}",
                 place=places,
-                advice="keep one of them; pictures of several folders are told apart by paths below"
-                " the dataset",
+                advice="keep one of them; pictures of several folders are distinguished by paths"
+                " below the dataset",
             )
         return self.read_record(records[0].content, self.path, records[0].place)
 

@@ -1,6 +1,6 @@
 """OpenCV FileStorage cameras (YAML, XML, JSON), pinhole or fisheye.
 
-See docs/camera-formats.md for the keys.
+See docs/reference/camera-formats.md for the keys.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The cameras of all frames of a match in one ``.npz`` file; ``docs/season.md`` has its layout.
+"""The cameras of all frames of a match in one ``.npz`` file: see docs/reference/files.md.
 
 A text column is two arrays: the place of each frame's text in ``NAME_values``, and these as UTF-8,
 divided by line feeds.

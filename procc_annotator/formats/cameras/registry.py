@@ -147,15 +147,17 @@ def _detected(content: object, path: str) -> CameraFormat:
 def _unknown(content: object, path: str) -> CameraError:
     own = content if isinstance(content, dict) else {}
     if own.keys() & {*KRT_KEYS.k} and not own.keys() & {*KRT_KEYS.placed}:
-        what = "holds a lens without a place, expected R and t, w2c or c2w beside it"
-        return CameraError(path, what, advice="add them; docs/camera-formats.md has the spellings")
+        what = "holds a lens without a place, expected R and t, w2c or c2w with it"
+        return CameraError(
+            path, what, advice="add them; docs/reference/camera-formats.md has the spellings"
+        )
     values = content if isinstance(content, list) else own.values()
     inner = [v for v in values if type(v) in (dict, list)]
     inner += [v for one in inner if type(one) is list for v in one[:1]]  # {"frames": [...]}
     if any(map(_is_homography, (content, *inner))):
         return CameraError(
             path,
-            "holds a homography, and nothing tells which ground and which units it is of",
+            "holds a homography, and nothing states its ground and units",
             advice="save it as .npy, and choose a camera format: wc14, carwc or world; of many"
             " frames make CSV: frame, h11 ... h33, picture to metres from the centre",
         )

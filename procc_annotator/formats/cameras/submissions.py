@@ -126,7 +126,7 @@ def _names_findings(names: list[str], split: str, any_camera: bool) -> Iterator[
         )
     elif others:
         yield _ignored(
-            "", f"{_listed(others)}: only files named {split}/camera_FRAME.json are looked at"
+            "", f"{_listed(others)}: only files named {split}/camera_FRAME.json are read"
         )
 
 

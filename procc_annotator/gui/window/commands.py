@@ -29,7 +29,8 @@ from procc_annotator.gui.window.window_settings import BoundSettings, SettingsDi
 from procc_annotator.translation import is_english, tr
 from procc_annotator.version import __version__
 
-_FIRST = "user-guide.md"
+_CONTENTS, _FIRST = "", "start.md"
+_SECTIONS = ("tutorials", "how-to", "reference", "explanation")
 _SIZE = (980, 700)
 _INDENT = "    "
 _PICTURE = re.compile(r"!\[[^\]]*\]\([^)]*\)|<picture>.*?</picture>|<img[^>]*>", re.DOTALL)
@@ -67,15 +68,16 @@ class Guide(QDialog):
         vbox(hbox(self.search), note, (parts, 1), of=self)
         screen = self.screen().availableGeometry().size()
         self.resize(min(_SIZE[0], screen.width()), min(_SIZE[1], screen.height()))
-        self.open_page(_FIRST)
+        self.open_page(_CONTENTS)
 
     def open_page(self, name: str) -> None:
-        """Show a page of the folder; one that is not there changes nothing."""
-        path = self._folder / name
-        if path.parent != self._folder or not path.is_file():
+        """Show a page of the folder, or the list of all; one that is not there changes nothing."""
+        path = (self._folder / name).resolve()
+        if name and not (path.is_file() and path.is_relative_to(self._folder)):
             return
-        self.page_name = name
-        self.page.setMarkdown(_PICTURE.sub("", path.read_text(encoding="utf-8")))
+        self.page_name = path.relative_to(self._folder).as_posix() if name else _CONTENTS
+        text = path.read_text(encoding="utf-8") if name else _contents(self._folder)
+        self.page.setMarkdown(_PICTURE.sub("", text))
         self.headings.clear()
         block = self.page.document().begin()
         while block.isValid():
@@ -108,12 +110,26 @@ class Guide(QDialog):
             QDesktopServices.openUrl(url)
             return
         if url.path():
-            self.open_page(url.path())
+            self.open_page(str(Path(self.page_name).parent / url.path()))
         wanted = url.fragment()
         for row in range(self.headings.count() if wanted else 0):
             item = self.headings.item(row)
             if _anchor(item.text()) == wanted:
                 self._go(item)
+
+
+def _contents(folder: Path) -> str:
+    """List the titles of all pages by section."""
+    lines = [f"# {tr('User guide')}", _entry(folder / _FIRST, folder)]
+    for section in _SECTIONS:
+        lines += [f"\n## {section.capitalize()}\n"]
+        lines += [_entry(page, folder) for page in sorted((folder / section).glob("*.md"))]
+    return "\n".join(lines)
+
+
+def _entry(page: Path, folder: Path) -> str:
+    title = page.read_text(encoding="utf-8").split("\n", 1)[0].lstrip("# ")
+    return f"- [{title}]({page.relative_to(folder).as_posix()})"
 
 
 def _anchor(heading: str) -> str:

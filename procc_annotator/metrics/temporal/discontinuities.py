@@ -224,7 +224,7 @@ class FrameOffset:
     def in_words(self) -> str:
         """``cameras are 1 frame late``, for people."""
         if not self.is_sure:
-            return "cannot be told"
+            return "not determined"
         if self.shift == 0:
             return "none"
         frames = f"{abs(self.shift)} frame" + ("" if abs(self.shift) == 1 else "s")

@@ -312,7 +312,7 @@ def _settings(report: AuditReport, request: ReportRequest) -> list[tuple[str, st
         ),
         ("Intervals", report.certainty.described),
         ("Worst frames a source", str(request.worst)),
-        ("Frames drawn by lot", f"{request.lot}, seed {request.seed}"),
+        ("Random frames", f"{request.lot}, seed {request.seed}"),
     ]
     if len(report.detailed) < len(report.evaluated):
         few = f"the {len(report.detailed)} sources of {len(report.evaluated)} with the highest JaC"

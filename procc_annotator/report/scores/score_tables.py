@@ -309,4 +309,4 @@ def _why_none(source: MethodWithLeftOut) -> str:
             f"{which} for this protocol, size and field"
             f" (but for {made}); {LEFT_OUT_METHOD} makes them with --protocol and --size"
         )
-    return f"{which}; {LEFT_OUT_METHOD} writes {LEFT_OUT_FILE} beside the cameras it fits"
+    return f"{which}; {LEFT_OUT_METHOD} writes {LEFT_OUT_FILE} with the cameras it fits"

@@ -34,8 +34,8 @@ _COUNTED = (
     " are."
 )
 _READ = (
-    " Under the labels as annotated, or mirrored ones where they score higher at the tau named"
-    " beside it."
+    " Under the labels as annotated, or mirrored ones where they score higher at the threshold"
+    " of the column."
 )
 FRAME_ERROR_COUNTED = Metric(
     "mean_reprojection_error", "official error", "px", "lower",
@@ -93,7 +93,7 @@ MEAN_RECALL = Metric(
 )  # fmt: skip
 ERROR_COUNTED = Metric(
     "mean_reprojection_error", "official error", "px", "lower",
-    definition="The mean error under the labelling that counts at the tau named beside it."
+    definition="The mean error under the labelling that counts at the threshold of the column."
     + _COUNTED,
 )  # fmt: skip
 MEAN_ERROR = Metric(
@@ -351,8 +351,8 @@ CLICK_SHARE = Metric(
     " the rest from which frames the set has.",
 )  # fmt: skip
 DISTINGUISHABLE_FROM = Metric(
-    "told_apart_from", "told apart from tau", "px", digits=1,
-    definition="The least tau at which the band about the difference lies beside 0, and so does"
+    "told_apart_from", "significant from tau", "px", digits=1,
+    definition="The smallest threshold at which the band of the difference excludes 0, and so does"
     " what other clicks on these frames would make of it.",
 )  # fmt: skip
 
@@ -372,7 +372,7 @@ MIRRORED = _count(
     "Frames whose score is that of the mirrored labels.",
 )  # fmt: skip
 UNMATCHED = _count(
-    "unmatched_cameras", "Cameras without annotation", "Cameras of frames that nobody annotated."
+    "unmatched_cameras", "Cameras without annotation", "Cameras of frames without annotation."
 )
 ERROR_POINTS = _count(
     "points", "Points",
@@ -390,7 +390,7 @@ FRAMES_ONLY_A = _count("only_a", "only A", "Annotated frames for which only A ha
 FRAMES_ONLY_B = _count("only_b", "only B", "Annotated frames for which only B has a camera.")
 HAVING = _count(
     "frames_having", "frames with it",
-    "Frames that mean and median beside it are of, where these are not all frames of the row.",
+    "Frames of the mean and median in this row, if these are not all.",
 )  # fmt: skip
 RANK = _count(
     "rank", "rank",

@@ -2,7 +2,7 @@
 
 Of each field 200 plausible cameras (see `views`), the elements they show clicked to 1 px. A camera
 is recovered if it shows the field in its picture within 5 px (median) of where the true one does.
-Printed are the rows of the table in docs/fitting.md.
+Printed are the rows of the table in docs/explanation/measurements.md.
 """
 
 import time

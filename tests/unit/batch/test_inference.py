@@ -213,7 +213,7 @@ def test_clusters():
     assert clusters_of(["1", "2", "3"], SHOT, {}, order).numbers.tolist() == [0, 0, 1]
     one = FrameOrder("frames.csv", {"1": "a", "2": "a"}, {"1": 1, "2": 2})
     assert "all frames are of one shot, by frames.csv" in clusters_of("12", None, {}, one).described
-    with pytest.raises(UsageError, match="tell no shots"):
+    with pytest.raises(UsageError, match="contain no shots"):
         clusters_of(["1", "2"], SHOT, {})
     with pytest.raises(UsageError, match="no frame has a value of 'match'"):
         clusters_of(["1", "2"], "match", {})

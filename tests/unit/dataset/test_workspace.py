@@ -89,7 +89,7 @@ def test_annotations_that_another_folder_hides_are_not_hidden_silently(tmp_path)
     (tmp_path / "annotations").mkdir()
     (tmp_path / "annotations" / "1.json").write_text("{}")
     assert opened(tmp_path).notices == (
-        f"annotations are those in {tmp_path / 'annotations'}; 1 beside the pictures are not used",
+        f"annotations are those in {tmp_path / 'annotations'}; 1 next to the pictures are not used",
     )
     assert opened(tmp_path, tmp_path / "annotations").notices == ()
 

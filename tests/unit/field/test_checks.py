@@ -109,12 +109,12 @@ def test_a_right_field_gives_no_remark(tmp_path):
             "symmetries = [180]",
             "symmetries = []",
             "warning: symmetries: a turn by 180 degrees takes the field to itself, but is not"
-            " listed (symmetries = [180], unless people can tell the sides apart)",
+            " listed (symmetries = [180], unless the sides can be distinguished)",
         ),
         (
             'colour = "#00FF00"',
             'colour = "#FF0105"',
-            "warning: element 'Side near'.colour: #FF0105 can hardly be told from 'Right end"
+            "warning: element 'Side near'.colour: #FF0105 is hard to distinguish from 'Right end"
             " line', #FF0000, in the group 'Court' (choose colours that differ)",
         ),
         (
@@ -181,8 +181,8 @@ def test_a_doubt_is_named_with_its_place_and_what_to_do(tmp_path, old, new, expe
         (
             'start = ["-length / 2", "width / 2", "0"]\nend = ["length / 2", "width / 2", "0"]',
             'start = ["-length / 2", "-width / 2", "0"]\nend = ["length / 2", "-width / 2", "0"]',
-            "warning: element 'Side far': lies where 'Near side line' lies (nobody can tell them"
-            " apart: is one of them on the other side?)",
+            "warning: element 'Side far': lies where 'Near side line' lies (they cannot be"
+            " distinguished: is one of them on the other side?)",
         ),
     ],
 )

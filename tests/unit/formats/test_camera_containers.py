@@ -93,7 +93,7 @@ def test_several_containers_are_one_collection_unless_they_share_a_frame(tmp_pat
         with CameraCollection.open(folder, fmt) as cameras:
             assert list(cameras.frames.items()) == [("1", "half1.json"), ("2", "half2.json")]
     (folder / "again.json").write_text(json.dumps(halves["half2.json"]))
-    with pytest.raises(InputError, match=r"second file for frame '2', beside again\.json"):
+    with pytest.raises(InputError, match=r"second file for frame '2', after again\.json"):
         CameraCollection.open(folder)
 
 

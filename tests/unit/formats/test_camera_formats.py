@@ -131,7 +131,7 @@ MIRRORED = (np.diag([1.0, 1.0, -1.0]) @ PINHOLE.rotation_cam_from_world).tolist(
         (krt(model="omnidirectional"), "model: expected 'pinhole' or 'fisheye'"),
         (krt(model="fisheye", dist=[0.0] * 5), "dist: a fisheye distortion has 4 entries, found 5"),
         (krt(width=0), "width and height: expected whole pixels"),
-        (krt(width=..., height=540), "height: tells 'height' without 'width', expected both"),
+        (krt(width=..., height=540), "height: has 'height' without 'width', expected both"),
         (b"[]", "expected an object with the keys of a K, R, t camera, found a list"),
         (krt()[:-20], "may be cut off"),
         (b"", "is empty"),

@@ -8,7 +8,6 @@ import re
 import struct
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,10 +16,7 @@ import pytest
 from procc_annotator.camera.matrices import calibration_matrix, distortion_vector, translation
 from procc_annotator.camera.models import FisheyeCamera, PinholeCamera
 from procc_annotator.errors import CameraError
-from procc_annotator.formats.annotations.labelling_tools import TOOLS
 from procc_annotator.formats.cameras.collection import CameraCollection
-from procc_annotator.formats.cameras.table import ROWS
-from procc_annotator.formats.unread_formats import UNREAD_FORMATS, UnreadFormat
 
 SIZE = (1280, 720)
 BENT = PinholeCamera(
@@ -360,36 +356,3 @@ def test_what_is_not_read_is_named_with_the_way_out(name, data, expected, tmp_pa
     (file := tmp_path / name).write_bytes(data)
     with pytest.raises(CameraError, match=expected), CameraCollection.open(file) as cameras:
         cameras.read(next(iter(cameras.frames)))
-
-
-def signs_of(known: UnreadFormat) -> str:
-    marks = (mark.decode("latin-1").strip("\x89 \n").split("\n")[0] for mark in known.marks)
-    return ", ".join(f"`{one}`" for one in (*known.suffixes, *marks)) or "its numbers"
-
-
-TABLES = {
-    ("camera-formats.md", "formats"): [
-        ("name", "format", "file", "recognised by", "world in the file"),
-        *((f"`{row.name}`", row.title, row.example, f"`{row.keys}`" if row.keys else "its name",
-           row.world) for row in ROWS),
-    ],
-    ("camera-formats.md", "unread"): [
-        ("not read", "recognised by", "way out"),
-        *((known.title, signs_of(known), known.advice) for known in UNREAD_FORMATS),
-    ],
-    ("annotation-formats.md", "tools"): [
-        ("`--from`", "tool", "file", "recognised by"),
-        *((f"`{tool.name}`", tool.title, f"`{tool.example}`", " or ".join(
-            f"`{' and '.join(marks)}`" for marks in tool.marks) or "keys `(x, y)`")
-          for tool in TOOLS),
-    ],
-}  # fmt: skip
-
-
-@pytest.mark.parametrize(("page", "mark"), TABLES)
-def test_the_documentation_shows_the_tables(page, mark):
-    text = (Path(__file__).parents[3] / "docs" / page).read_text(encoding="utf-8")
-    found = text.split(f"<!-- {mark} -->\n")[1].split("<!-- end -->")[0]
-    head, *lines = [f"| {' | '.join(cells)} |" for cells in TABLES[page, mark]]
-    table = "\n".join([head, re.sub(r"[^|]+", "---", head), *lines, ""])
-    assert found == table, f"write the table into docs/{page}, below {mark}"

@@ -178,7 +178,7 @@ def test_easymocap(tmp_path):
         (b'{"K": 1, "t": [0, 0, 9]}', "1.json", "found an object with K, t, expected pan_degrees"),
         (b"[1, 2]", "1.json", "found a list, expected pan_degrees (soccernet);"),
         (b"1 2 3 4 5", "1.txt", "wc14, carwc, world: expected 9 numbers (3 x 3), found 5"),
-        (b'{"H": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}', "1.json", "nothing tells which ground"),
+        (b'{"H": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}', "1.json", "nothing states its ground"),
     ],
 )
 def test_damage_is_one_line(data, path, expected):

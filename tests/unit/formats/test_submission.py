@@ -109,7 +109,7 @@ def test_names_and_frames(tmp_path):
     assert found == [
         "ignored: test/camera_2.json: is there 2 times, the last one counts",
         "ignored: 4 files (test/3.json, camera_4.json, deep/test/camera_5.json,"
-        " __MACOSX/test/._camera_1.json): only files named test/camera_FRAME.json are looked at",
+        " __MACOSX/test/._camera_1.json): only files named test/camera_FRAME.json are read",
         "lowers the score: 6 of 8 annotated frames have no camera (3, 4, 5, 6, 7, ...):"
         " completeness 25.0 %",
         "ignored: 1 file (9): no such frame is annotated",

@@ -167,7 +167,7 @@ def test_a_camera_that_rests_has_no_offset_that_could_be_told():
     costs = np.ones((40, 11)) + np.random.default_rng(2).normal(0, 0.01, (40, 11))
     found = frame_offset(costs)
     assert not found.is_sure
-    assert found.in_words == "cannot be told"
+    assert found.in_words == "not determined"
 
 
 def test_a_short_shot_is_tried_at_few_shifts():
