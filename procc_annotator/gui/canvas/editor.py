@@ -327,9 +327,8 @@ class Editor(QObject):
         if not changed or self._draw.busy:  # what is being drawn goes on from whatever there is
             return True
         if now.chosen_points != seen.chosen_points:
-            services.selection.select_class(
-                None
-            )  # the same key again must not mean the whole element
+            # The same key again must not mean the whole element.
+            services.selection.select_class(None)
         titles = ", ".join(services.state.title_of(name) for name in changed)
         text = tr("{titles}: changed elsewhere, look again first", titles=titles)
         services.say(text, "info")

@@ -32,7 +32,6 @@ from procc_annotator.gui.state.editing.batch_edits import (
     BatchEdits,
     EditedFrames,
     LeftAlone,
-    edit_frame,
     imported,
     why_left_alone,
 )
@@ -221,10 +220,8 @@ class AnnotationImporter(DialogTask):
             if why is not None:
                 return why
         change = imported(incoming, replacing=self._replace)
-        store, editing = self._services.store, self._services.editing
-        return edit_frame(
-            store, editing, index, change, translatable("import", "a step"), OriginKind.FILE
-        )
+        label = translatable("import", "a step")
+        return self._edits.edit_frame(index, change, label, OriginKind.FILE)
 
     def _advance(self, done: int, total: int) -> None:
         if self.dialog is not None:

@@ -26,7 +26,7 @@ from procc_annotator.field.load import field_for_frame
 from procc_annotator.field.model import Field
 from procc_annotator.gui.state import selectors as select
 from procc_annotator.gui.state.background import JobControl, LatestOnlyTask
-from procc_annotator.gui.state.editing.batch_edits import BatchEdits, EditedFrames, edit_frame
+from procc_annotator.gui.state.editing.batch_edits import BatchEdits, EditedFrames
 from procc_annotator.gui.state.sequences import is_annotated
 from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import Level
@@ -304,11 +304,8 @@ class StretchAccepting(QObject):
             return before
 
         count = len(self._found)
-        return self._edit(
-            index,
-            change,
-            translatable_count(count, "annotate {n:,} frame", "annotate {n:,} frames"),
-        )
+        label = translatable_count(count, "annotate {n:,} frame", "annotate {n:,} frames")
+        return self._edits.edit_frame(index, change, label, OriginKind.ACCEPTED)
 
     def _empty_frame(self, index: int) -> str:
         def change(before: FrameAnnotation) -> FrameAnnotation | str:
@@ -318,15 +315,8 @@ class StretchAccepting(QObject):
                 before = before.without(polyline.class_name)
             return before
 
-        return self._edit(index, change, translatable("take back accepted elements"))
-
-    def _edit(
-        self, index: int, change: Callable[[FrameAnnotation], FrameAnnotation | str], label: str
-    ) -> str:
-        services = self._services
-        return edit_frame(
-            services.store, services.editing, index, change, label, OriginKind.ACCEPTED
-        )
+        label = translatable("take back accepted elements")
+        return self._edits.edit_frame(index, change, label, OriginKind.ACCEPTED)
 
     def _tell_accepted(self, outcome: EditedFrames) -> None:
         services = self._services

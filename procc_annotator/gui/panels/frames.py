@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from procc_annotator.dataset.filter_query import QUERY_HELP, FrameFacts, FrameQuery, parse_query
 from procc_annotator.dataset.frames import Folder
-from procc_annotator.dataset.records import FrameRecord, Status
+from procc_annotator.dataset.records import FrameRecord
 from procc_annotator.dataset.workspace import Workspace
 from procc_annotator.errors import InputError, UsageError
 from procc_annotator.gui.panels.frame_delegate import FrameDelegate
@@ -117,7 +117,7 @@ class FrameFilter(QObject):
 
         def ask(index: int) -> FrameFacts:
             name = workspace.frames[index].name
-            record = records.get(name)
+            record = records.get(name, FrameRecord())
             annotated, unreadable = None, False
             if needs_annotation:
                 try:
@@ -125,14 +125,13 @@ class FrameFilter(QObject):
                 except InputError:
                     unreadable = True
             judged = verdicts.get(name, {}) if allowed is None or allowed(name) else {}
-            has_comments = record is not None and record.comments > 0
             return FrameFacts(
                 name=name,
-                status=(record.status if record is not None else Status.UNTOUCHED).value,
+                status=record.status.value,
                 annotated=annotated,
-                comments=record.comments if record is not None else 0,
-                open_comments=record.open_comments if record is not None else 0,
-                comment_text=database.comment_text(name) if database and has_comments else "",
+                comments=record.comments,
+                open_comments=record.open_comments,
+                comment_text=database.comment_text(name) if database and record.comments else "",
                 unsaved=index in unsaved,
                 unreadable=unreadable,
                 unconfirmed=name in drafts,

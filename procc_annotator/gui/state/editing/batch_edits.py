@@ -24,6 +24,8 @@ _TOGETHER = 32
 
 # Edits a frame and locks it; why it left the frame as it was, not locked, or "" where it did not.
 EditFrame = Callable[[int], str]
+# Given what a frame holds: what it is to hold, or why it is to stay as it is.
+Change = Callable[[FrameAnnotation], FrameAnnotation | str]
 
 
 @dataclass
@@ -97,6 +99,63 @@ class BatchEdits(QObject):
         self._next.stop()
         self._outcome = None
 
+    def edit_frame(self, index: int, change: Change, label: str, kind: OriginKind) -> str:
+        """Change what is annotated in a frame; undo and versions keep what was there.
+
+        The frame is locked until it is saved.
+
+        Args:
+            change: given what the frame holds once the lock is taken.
+            kind: how new points came to be.
+
+        Returns:
+            Why the frame was left as it was, not locked, for `tr`; empty when it was not.
+        """
+        store, editing = self._store, self._editing
+        workspace = store.state.workspace
+        assert workspace is not None
+        name = workspace.frames[index].name
+        editing.saver.settle(index)
+        if index == store.state.frame_index:
+            if not editing.begin_edit():
+                return store.state.why_not_editable or tr("it cannot be edited")
+        else:
+            holder = editing.frame_lock.borrow(name)
+            if holder is not None:
+                return tr("{who} is editing it", who=holder.author or tr("somebody"))
+        why = self._put(workspace, index, change, label, kind)
+        if why:
+            editing.frame_lock.give_back(name)
+        return why
+
+    def _put(
+        self, workspace: Workspace, index: int, change: Change, label: str, kind: OriginKind
+    ) -> str:
+        editing, here = self._editing, index == self._store.state.frame_index
+        if here:
+            editing.look_at_frame()
+        else:
+            workspace.look_again(index)
+            try:
+                # Another window may have saved it since it was read here.
+                if workspace.state(index).error is None and workspace.refresh(index):
+                    editing.saver.save(index)  # no conflict is left to be decided
+            except InputError as error:
+                return str(error)
+        held, name = workspace.state(index), workspace.frames[index].name
+        if held.error is not None:
+            return str(held.error)
+        before = held.history.current
+        after = change(before)
+        if isinstance(after, str):
+            return after
+        if here:
+            editing.commit_edit(label, after, kind)
+        elif workspace.edit(index, label, after):
+            editing.review.note_edit(name, before, after, kind)
+            editing.review.touched(name, before, after)
+        return ""
+
     def _take_some(self) -> None:
         end = perf_counter() + _SLICE_S
         assert self._outcome is not None
@@ -144,10 +203,6 @@ class BatchEdits(QObject):
         self._finished(outcome)
 
 
-# Given what a frame holds: what it is to hold, or why it is to stay as it is.
-Change = Callable[[FrameAnnotation], FrameAnnotation | str]
-
-
 class LeftAlone(StrEnum):
     """Why an import has nothing to do in a frame."""
 
@@ -162,74 +217,6 @@ def why_left_alone(
     if before.same_content(incoming):
         return LeftAlone.SAME
     return LeftAlone.ANNOTATED if before.annotated and not replacing else None
-
-
-def edit_frame(
-    store: Store, editing: Editing, index: int, change: Change, label: str, kind: OriginKind
-) -> str:
-    """Change what is annotated in a frame; undo and versions keep what was there.
-
-    The frame is locked then: anyone who calls this saves it and gives it back
-    (``editing.frame_lock.give_back``).
-
-    Args:
-        change: given what the frame holds once the lock is taken; what it is to hold, or why it is
-            to stay as it is.
-        kind: how new points came to be.
-
-    Returns:
-        Why the frame was left as it was, not locked, for `tr`; empty when it was not.
-    """
-    workspace = store.state.workspace
-    assert workspace is not None
-    name, here = workspace.frames[index].name, index == store.state.frame_index
-    editing.saver.settle(index)
-    if here:
-        if not editing.begin_edit():
-            return store.state.why_not_editable or tr("it cannot be edited")
-    else:
-        holder = editing.frame_lock.borrow(name)
-        if holder is not None:
-            return tr("{who} is editing it", who=holder.author or tr("somebody"))
-    why = _put(workspace, editing, index, change, label, kind, here=here)
-    if why:
-        editing.frame_lock.give_back(name)
-    return why
-
-
-def _put(
-    workspace: Workspace,
-    editing: Editing,
-    index: int,
-    change: Change,
-    label: str,
-    kind: OriginKind,
-    *,
-    here: bool,
-) -> str:
-    if here:
-        editing.look_at_frame()
-    else:
-        workspace.look_again(index)
-        try:
-            # Another window may have saved it since it was read here.
-            if workspace.state(index).error is None and workspace.refresh(index):
-                editing.saver.save(index)  # no conflict is left to be decided
-        except InputError as error:
-            return str(error)
-    held, name = workspace.state(index), workspace.frames[index].name
-    if held.error is not None:
-        return str(held.error)
-    before = held.history.current
-    after = change(before)
-    if isinstance(after, str):
-        return after
-    if here:
-        editing.commit_edit(label, after, kind)
-    elif workspace.edit(index, label, after):
-        editing.review.note_edit(name, before, after, kind)
-        editing.review.touched(name, before, after)
-    return ""
 
 
 def imported(incoming: FrameAnnotation, *, replacing: bool) -> Change:
