@@ -20,7 +20,6 @@ _BYTES, _FILES = 500_000, 3
 _NAME = "procc_annotator"
 
 # One line for people, and the details: versions, the path of the log, the traceback.
-Report = Callable[[str, str], None]
 
 
 def log_path() -> Path | None:
@@ -34,7 +33,7 @@ def one_line(error: BaseException) -> str:
     return traceback.format_exception_only(error)[-1].strip().split("\n", 1)[0]
 
 
-def install_handlers(report: Report) -> None:
+def install_handlers(report: Callable[[str, str], None]) -> None:
     """Log every exception that nothing handles, in any thread, and hand it to ``report``.
 
     What is logged: versions, the platform, the traceback with its message; no values of variables.

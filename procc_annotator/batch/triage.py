@@ -17,8 +17,6 @@ from procc_annotator.metrics.measurement import measure
 from procc_annotator.metrics.score import display_score
 from procc_annotator.metrics.setup import EvaluationSetup
 
-Progress = Callable[[int, int], None]
-
 
 def largest_error(audit: FrameAudit) -> float | None:
     """The largest distance of a frame's points, px; None where no point has one."""
@@ -81,7 +79,7 @@ def set_disagreement(
     a: FrameCameras,
     b: FrameCameras,
     setup: EvaluationSetup,
-    progress: Progress = lambda done, total: None,
+    progress: Callable[[int, int], None] = lambda done, total: None,
     cancelled: Callable[[], bool] = lambda: False,
 ) -> SetDisagreement:
     """The median disagreement in metres of two sources in every frame, as the map of

@@ -26,7 +26,6 @@ _MAX_LISTED = 5
 _LONGEST_PLACE = 60  # characters of a place in a file
 
 # A problem -> where it is, and what many of them share.
-_Parted = Callable[[str], tuple[str, str]]
 _OF_FRAME = re.compile(r"(.*?: )frame (\d+)(: .*)")
 
 
@@ -58,7 +57,7 @@ def _frames_words(numbers: list[int]) -> str:
     return f"{pluralize(len(numbers), 'frame')} ({', '.join(named)})"
 
 
-def _condensed(problems: Iterable[str], parted: _Parted) -> list[str]:
+def _condensed(problems: Iterable[str], parted: Callable[[str], tuple[str, str]]) -> list[str]:
     alike: dict[str, list[str]] = {}
     for problem in problems:
         alike.setdefault(parted(problem)[1], []).append(problem)

@@ -198,8 +198,6 @@ def _half(interval: Interval | None, times: float) -> float | None:
 
 LONE = (("added", "missed"), ("only_a", "only_b"))  # of several annotators, of two
 
-ClustersOf = Callable[[Sequence[str]], Clusters]
-
 
 @dataclass(frozen=True)
 class AgreementReport:
@@ -239,7 +237,7 @@ class AgreementReport:
 
 def compare_annotators(
     run: ConsensusRun,
-    clusters: ClustersOf = lambda frames: clusters_of(frames, None, {}),
+    clusters: Callable[[Sequence[str]], Clusters] = lambda frames: clusters_of(frames, None, {}),
     progress: Progress[ConsensusResult] = lambda items, _total, _what: iter(items),
 ) -> AgreementReport:
     """Compare annotators' files.

@@ -76,7 +76,6 @@ class ComparisonScene:
     field: Field
 
 
-Paint = Callable[[ComparisonScene], bytes]
 """Turns a scene into an encoded picture; raises ImageError for one that cannot be decoded."""
 
 
@@ -146,7 +145,7 @@ def paint_frames(
     compared: ComparisonReport,
     comparison: ComparisonRun,
     out: Path,
-    paint: Paint,
+    paint: Callable[[ComparisonScene], bytes],
     *,
     pictures: dict[str, Path],
     count: int | None,

@@ -38,7 +38,6 @@ _SIZE_KEYS = ("image_width", "image_height", "width", "height")
 
 Size = tuple[int, int]
 Losses = tuple[str, ...]
-Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True)
@@ -206,7 +205,7 @@ def write_cameras(
     size: Size | None = None,
     split: str = "test",
     total: int = 0,
-    progress: Progress | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> ConvertedCameras:
     """Write cameras to a folder, or to an archive: for ``submission``, or if ``out`` ends in .zip.
 

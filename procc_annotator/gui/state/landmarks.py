@@ -65,7 +65,6 @@ from procc_annotator.interaction.overlay_lines import ShownEllipse
 from procc_annotator.translation import tr
 
 Size = tuple[int, int]
-Ellipses = tuple[ShownEllipse, ...]
 FileAndInstant = tuple[LandmarkFile, str | None]  # of a dataset, and of the frame on screen
 
 
@@ -84,7 +83,7 @@ def _project(
     size: Size,
     judged: CameraOrProjections | FitResult,
     judged_size: Size,
-) -> Ellipses:
+) -> tuple[ShownEllipse, ...]:
     entries = entries_of(file, instant)
     marks = [m for m in entries if m.position is not None and m.covariance is not None]
     positions = [cast(Vector, mark.position) for mark in marks]
