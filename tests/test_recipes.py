@@ -17,7 +17,7 @@ from procc_annotator.gui.actions import ACTIONS
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
-BLOCK = re.compile(r"```(sh|python|text)\n(.*?)```", re.DOTALL)
+BLOCK = re.compile(r"(?:```(sh|python)|<!-- (prints))\n(.*?)(?:```|-->)", re.DOTALL)
 PAGES = {
     path.relative_to(ROOT).as_posix(): path
     for path in (ROOT / "README.md", *sorted(DOCS.rglob("*.md")))
@@ -39,14 +39,13 @@ def test_thirty_recipes_run():
 
 @pytest.mark.parametrize("name", RECIPES)
 def test_recipe_runs_and_prints_what_it_shows(name, tmp_path):
-    """Blocks run one after the other, in a folder with a copy of the sample; a text block after
-    one shows lines of its output ("..." stands for what is left out)."""
+    """Blocks run one after the other, in a folder with a copy of the sample; a comment "prints"
+    after one has lines of its output."""
     shutil.copytree(ROOT / "sample_data", tmp_path / "sample_data")
     printed = ""
-    for kind, block in BLOCK.findall(PAGES[name].read_text()):
-        if kind == "text":
-            missing = [line for line in map(squeezed, block.splitlines()) if line not in printed]
-            assert not [line for line in missing if line != "..."], printed
+    for kind, prints, block in BLOCK.findall(PAGES[name].read_text()):
+        if prints:
+            assert all(line in printed for line in map(squeezed, block.splitlines())), printed
         else:
             program = ["bash", "-ec"] if kind == "sh" else [sys.executable, "-c"]
             printed = squeezed(run([*program, block], tmp_path))

@@ -83,6 +83,8 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 def on_page_markdown(markdown: str, page: Page, config: MkDocsConfig, files: Files) -> str:
     """A folder's link leads to its list; a picture that there is in both themes follows them."""
     markdown = markdown.replace("](decisions/)", "](decisions/index.md)")
+    if re.match(r"decisions/\d", page.file.src_uri):
+        page.meta["search"] = {"exclude": True}  # the pages of their subjects come first
     return PICTURE.sub(_in_both_themes, set_apart(markdown))
 
 

@@ -31,7 +31,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import FIT_KEY, UNCERTAINTY
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.frame_names import frame_finder
-from procc_annotator.formats.point_tables import PointTable, Row, move_boxes, read_rows
+from procc_annotator.formats.point_tables import PointTable, Row, move_boxes, read_rows, stated_size
 from procc_annotator.messages import list_names
 from procc_annotator.metrics.ground_plane import (
     NearestHomography,
@@ -88,7 +88,8 @@ def to_ground(
         cameras: of their frames, as `save_projection` takes them; a number names the only frame
             that ends in it (12: ``000012``).
         field: and camera_size: as of `evaluate`.
-        size: (width, height) px that points belong to; None for the size of the cameras.
+        size: (width, height) px that points belong to; None for the size that a COCO file states,
+            else for that of the cameras.
         axes: ``field``: metres from the centre, y towards the main camera; ``up``: y away from it,
             as SkillCorner; ``corner``: from the far left corner; ``metrica``: the same as shares of
             length and width.
@@ -108,7 +109,7 @@ def to_ground(
     if pixel_sd is not None and not known_sd:
         raise UsageError(f"pixel_sd: expected a standard deviation in px, found {pixel_sd!r}")
     ground, sds = np.full_like(table.places, np.nan), np.full_like(table.places, np.nan)
-    views = _views(table, cameras, known, size, camera_size)
+    views = _views(table, cameras, known, as_optional_size(size) or _size_of(points), camera_size)
     for view in views:
         if isinstance(view.camera, ElementProjections):
             continue
@@ -159,7 +160,7 @@ def to_pixels(
         raise UsageError(f"the points are in the axes {', '.join(sorted(stated))}, not {axes}")
     factors, offsets = _axes(next(iter(stated), axes), known)
     ground, px = (table.places - offsets) / factors, np.full_like(table.places, np.nan)
-    views = _views(table, cameras, known, size, camera_size)
+    views = _views(table, cameras, known, as_optional_size(size) or _size_of(points), camera_size)
     for view in views:
         if isinstance(view.camera, ElementProjections):
             continue
@@ -216,6 +217,10 @@ def _table(points: Points, *, metres: bool) -> PointTable:
         {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in row.items()} for row in rows
     ]
     return PointTable.of(plain, "points", metres=metres)
+
+
+def _size_of(points: Points) -> tuple[int, int] | None:
+    return stated_size(Path(points)) if isinstance(points, str | Path) else None
 
 
 def _axes(name: str, known: Field) -> tuple[FloatArray, FloatArray]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -162,7 +162,7 @@ def _regular(
 
 def _without_chords(line: VisibleLine, width_px: int) -> tuple[tuple[int, int], ...]:
     """The runs of a curve without gaps that a chord would bridge across a bend: at a short one the
-    line is followed, at a long one it ends, and the longest part remains."""
+    line is followed, at a long one it ends, and the longest part remains if it is most of it."""
     parts = [[line.runs[0]]]
     for run in line.runs[1:]:
         before = parts[-1][-1]
@@ -177,7 +177,12 @@ def _without_chords(line: VisibleLine, width_px: int) -> tuple[tuple[int, int], 
             parts.append([run])
     if len(parts) > 1 and math.dist(line.course_px[0], line.course_px[-1]) <= _ONE_PLACE_PX:
         parts[0] = [*parts.pop(), *parts[0]]  # of a circle, which may begin anywhere
-    return tuple(max(parts, key=lambda part: sum(past - first for first, past in part)))
+    longest = max(parts, key=_length)
+    return tuple(longest) if 2 * _length(longest) > _length(line.runs) else line.runs
+
+
+def _length(runs: Iterable[tuple[int, int]]) -> int:
+    return sum(past - first for first, past in runs)
 
 
 def accept(annotation: FrameAnnotation, found: Sequence[GhostPoints]) -> FrameAnnotation:

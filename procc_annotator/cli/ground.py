@@ -35,7 +35,8 @@ has a position.
 EXAMPLE = """\
   procc-annotator ground sample_data/tracks.csv --cameras sample_data/cameras/true \\
       --size 1280x720 --camera-size 960x540 --output positions.csv
-  procc-annotator ground positions.csv --cameras sample_data/cameras/true --to-pixels
+  procc-annotator ground positions.csv --cameras sample_data/cameras/true --to-pixels \\
+      --size 1280x720 --camera-size 960x540
 """
 
 

@@ -114,6 +114,19 @@ def _frame_name(value: object) -> str:
     return "" if whole is None else PICTURE_SUFFIX.sub("", str(whole).strip())
 
 
+def stated_size(path: Path) -> tuple[int, int] | None:
+    """Return the picture size, (width, height) px, that all images of a COCO file state; None if
+    they differ or state none, and for other files."""
+    if path.suffix.lower() != ".json":
+        return None
+    content = decode_fast(read_file(path), path=str(path), error=InputError)
+    images = content.get("images", []) if isinstance(content, dict) else []
+    sizes = {(i.get("width"), i.get("height")) for i in images if isinstance(i, dict)}
+    size = sizes.pop() if len(sizes) == 1 else (None, None)
+    width, height = size
+    return (width, height) if type(width) is int and type(height) is int else None
+
+
 def read_rows(path: Path) -> list[Row]:
     """The rows of a file, by its suffix; a CSV file without a header is one of MOT.
 

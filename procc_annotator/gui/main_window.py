@@ -171,6 +171,7 @@ class MainWindow(QMainWindow):
             self.canvas.camera_drag.key,
             self.assistant.key,
             self.ghost_tasks.key,
+            lambda name, shift: self.review.key(name, shift),
             self.stretch_accepting.key,
             lambda name, shift: self.tour.key(name, shift),
         )

@@ -3033,13 +3033,10 @@ Verliert {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>kein Bild angenommen: {why}</translation>
   </message>
-  <message numerus="yes">
-   <source>annotate {n:,} frames</source>
-   <extracomment>annotate {n:,} frame / annotate {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>{n:,} Bild annotieren</numerusform>
-    <numerusform>{n:,} Bilder annotieren</numerusform>
-   </translation>
+  <message>
+   <source>accept elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>Elemente übernehmen</translation>
   </message>
   <message>
    <source>take back accepted elements</source>
@@ -5595,6 +5592,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{frame} ist {status}</translation>
   </message>
   <message>
+   <source>{frame} is {status} again</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{frame} ist wieder {status}</translation>
+  </message>
+  <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>An diesem Bild gearbeitete Zeit; Pausen über 30 s zählen nicht</translation>
@@ -6309,11 +6311,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>{who} locked this dataset to blind mode on {day}</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
    <translation>{who} hat diesen Datensatz am {day} auf Blindmodus festgelegt</translation>
-  </message>
-  <message>
-   <source>{frame} is {status} again</source>
-   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation>{frame} ist wieder {status}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again: edited after the cameras were shown, it is no blind work any more</source>

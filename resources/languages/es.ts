@@ -3033,13 +3033,10 @@ Pierde {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>no se aceptó ninguna imagen: {why}</translation>
   </message>
-  <message numerus="yes">
-   <source>annotate {n:,} frames</source>
-   <extracomment>annotate {n:,} frame / annotate {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>anotar {n:,} imagen</numerusform>
-    <numerusform>anotar {n:,} imágenes</numerusform>
-   </translation>
+  <message>
+   <source>accept elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>aceptar elementos</translation>
   </message>
   <message>
    <source>take back accepted elements</source>
@@ -5595,6 +5592,11 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>{frame} está {status}</translation>
   </message>
   <message>
+   <source>{frame} is {status} again</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{frame} vuelve a estar {status}</translation>
+  </message>
+  <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Tiempo trabajado en esta imagen; las pausas de más de 30 s no cuentan</translation>
@@ -6309,11 +6311,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>{who} locked this dataset to blind mode on {day}</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
    <translation>{who} fijó este conjunto en modo ciego el {day}</translation>
-  </message>
-  <message>
-   <source>{frame} is {status} again</source>
-   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation>{frame} vuelve a estar {status}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again: edited after the cameras were shown, it is no blind work any more</source>

@@ -3033,13 +3033,10 @@ Perd {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>aucune image acceptée : {why}</translation>
   </message>
-  <message numerus="yes">
-   <source>annotate {n:,} frames</source>
-   <extracomment>annotate {n:,} frame / annotate {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>annoter {n:,} image</numerusform>
-    <numerusform>annoter {n:,} images</numerusform>
-   </translation>
+  <message>
+   <source>accept elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>accepter des éléments</translation>
   </message>
   <message>
    <source>take back accepted elements</source>
@@ -5595,6 +5592,11 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>{frame} est {status}</translation>
   </message>
   <message>
+   <source>{frame} is {status} again</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{frame} est de nouveau {status}</translation>
+  </message>
+  <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>Temps passé sur cette image ; les pauses de plus de 30 s ne comptent pas</translation>
@@ -6309,11 +6311,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>{who} locked this dataset to blind mode on {day}</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
    <translation>{who} a imposé le mode aveugle à ce jeu le {day}</translation>
-  </message>
-  <message>
-   <source>{frame} is {status} again</source>
-   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation>{frame} est de nouveau {status}</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again: edited after the cameras were shown, it is no blind work any more</source>

@@ -2979,12 +2979,10 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>未接受任何帧：{why}</translation>
   </message>
-  <message numerus="yes">
-   <source>annotate {n:,} frames</source>
-   <extracomment>annotate {n:,} frame / annotate {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>
-    <numerusform>标注 {n:,} 帧</numerusform>
-   </translation>
+  <message>
+   <source>accept elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>接受元素</translation>
   </message>
   <message>
    <source>take back accepted elements</source>
@@ -5498,6 +5496,11 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>{frame} 为“{status}”</translation>
   </message>
   <message>
+   <source>{frame} is {status} again</source>
+   <extracomment>[procc_annotator/gui/panels/review.py, procc_annotator/gui/state/review_state.py]</extracomment>
+   <translation>{frame} 又是“{status}”了</translation>
+  </message>
+  <message>
    <source>Time worked on this frame; pauses over 30 s do not count</source>
    <extracomment>[procc_annotator/gui/panels/review.py]</extracomment>
    <translation>在本帧上的工作时间；超过 30 秒的停顿不计</translation>
@@ -6211,11 +6214,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>{who} locked this dataset to blind mode on {day}</source>
    <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
    <translation>{who} 于 {day} 将此数据集锁定为盲标模式</translation>
-  </message>
-  <message>
-   <source>{frame} is {status} again</source>
-   <extracomment>[procc_annotator/gui/state/review_state.py]</extracomment>
-   <translation>{frame} 又是“{status}”了</translation>
   </message>
   <message>
    <source>{frame} was {status} and is in progress again: edited after the cameras were shown, it is no blind work any more</source>

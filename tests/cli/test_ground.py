@@ -86,6 +86,12 @@ def test_points_of_another_size_than_cameras_that_state_none_are_refused(cli, ca
     assert "pixels are those of pictures of 1920x1080" in done.stderr
     (row,) = csv.DictReader(done.stdout.splitlines())
     x, y = (v * (n - 1) / (2 * n - 1) for v, n in ((840, 960), (600, 540)))
+    coco = tmp_path / "coco.json"  # states its size
+    image = '{"id": 1, "file_name": "000003.jpg", "width": 1920, "height": 1080}'
+    box = '{"image_id": 1, "bbox": [820, 500, 40, 100]}'
+    coco.write_text(f'{{"images": [{image}], "annotations": [{box}]}}')
+    stated = to_ground(coco, cameras, camera_size=(960, 540)).rows[0]
+    assert stated["X"] == pytest.approx(float(row["X"]), abs=1e-3)
     place = expected(cameras, x, y)
     assert (float(row["X"]), float(row["Y"])) == pytest.approx(tuple(place), abs=1e-3)
     with pytest.raises(UsageError, match="pixel_sd"):

@@ -186,6 +186,17 @@ class TestWhatWasLeft:
         services.opening.open_path(annotated)
         assert box.text() == ""
 
+    def test_undo_right_after_a_status_gives_the_one_before_again(self, window, hand):
+        hand.draw("Middle line", (300, 50), (300, 300))
+        name, review = window.services.state.frame_name, window.services.review
+        window.actions_["reject"].trigger()
+        assert review.status(name) is Status.REJECTED
+        window.actions_["undo"].trigger()
+        assert review.status(name) is Status.IN_PROGRESS
+        assert window.services.state.annotation.annotated == ("Middle line",)
+        window.actions_["undo"].trigger()
+        assert window.services.state.annotation.annotated == ()
+
     def test_approved_in_the_panel_stays_when_a_line_was_under_way(self, window, hand):
         window.services.selection.select_class(MIDDLE)
         hand.click(100, 100)

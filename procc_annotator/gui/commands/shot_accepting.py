@@ -32,7 +32,7 @@ from procc_annotator.gui.state.services import Services
 from procc_annotator.gui.state.state import Level
 from procc_annotator.image.decoding import decode_for_camera
 from procc_annotator.image.pixels import PixelArray
-from procc_annotator.translation import tr, tr_count, translatable, translatable_count, word
+from procc_annotator.translation import tr, tr_count, translatable, word
 
 _NOTHING = FrameAnnotation(())
 _ANNOTATED = word("it is annotated by now")
@@ -113,12 +113,14 @@ class StretchAccepting(QObject):
         self._accepted: Found = {}  # what was accepted last, by index
         self._taken_back: Found = {}  # what was taken back last
         self._offered: frozenset[int] = frozenset()  # doubtful frames that once more accepts
-        self._at = -1  # the frame on screen by then; -1 once somebody went on
+        self._at = -1  # the frame on screen by then; -1 once another edit was made
         self._here = _NOTHING  # what it held by then
         self._edits = BatchEdits(services.store, services.editing, services.scoring, self)
         services.store.watch(select.dataset, self.forget)
         services.shot_track.forgotten.connect(self._stop_looking)
         services.store.watch(select.frame, self._go_on)
+        services.store.events.annotationEdited.connect(self._settle)
+        services.review.statusChanged.connect(self._settle)
 
     @property
     def running(self) -> bool:
@@ -303,8 +305,7 @@ class StretchAccepting(QObject):
             self._put[index] = before
             return before
 
-        count = len(self._found)
-        label = translatable_count(count, "annotate {n:,} frame", "annotate {n:,} frames")
+        label = translatable("accept elements")
         return self._edits.edit_frame(index, change, label, OriginKind.ACCEPTED)
 
     def _empty_frame(self, index: int) -> str:
@@ -321,7 +322,8 @@ class StretchAccepting(QObject):
     def _tell_accepted(self, outcome: EditedFrames) -> None:
         services = self._services
         self._accepted = {i: self._put[i] for i in outcome.edited}
-        self._here = self._accepted.get(self._at, self._here)
+        self._at = services.state.frame_index
+        self._here = self._accepted.get(self._at, services.state.annotation)
         words = tr_count(
             len(outcome.edited),
             "annotated {n:,} frame",
@@ -354,7 +356,7 @@ class StretchAccepting(QObject):
 
     def _tell_taken_back(self, outcome: EditedFrames) -> None:
         self._taken_back = {index: self._found[index] for index in outcome.edited}
-        self._here = self._services.state.annotation
+        self._at, self._here = self._services.state.frame_index, self._services.state.annotation
         words = tr_count(
             len(outcome.edited),
             "taken back: {n:,} annotated frame",
@@ -364,10 +366,15 @@ class StretchAccepting(QObject):
         self.changed.emit()
 
     def _go_on(self) -> None:
-        """A person looks at another frame: from now on undo means that one, unless the stretch is
-        accepted just now."""
-        self._at = self._services.state.frame_index if self._edits.running else -1
-        self._here = self._services.state.annotation
+        """Another frame is shown: undo and redo mean all frames until the next edit."""
+        if self._at >= 0 or self._edits.running:
+            self._at = self._services.state.frame_index
+            self._here = self._services.state.annotation
+
+    def _settle(self, *_: object) -> None:
+        """Something else was done: from now on undo and redo mean the frame on screen."""
+        if not self._edits.running:
+            self._at = -1
 
     def forget(self) -> None:
         """Accept no more and say nothing: the dataset or the window closes."""

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import (
     QListWidgetItem,
 )
 
+from procc_annotator.annotation import FrameAnnotation
 from procc_annotator.dataset.records import Comment, Status
 from procc_annotator.dataset.review import BlindStatus
 from procc_annotator.gui.messages import ask_to_approve
@@ -50,6 +51,8 @@ class ReviewPanel(Panel):
     def __init__(self, services: Services) -> None:
         super().__init__(services, "review_panel")
         self._shown: tuple[Comment, ...] = ()
+        # The frame that was given a status last, its status and annotation before.
+        self._given: tuple[str, Status, FrameAnnotation] | None = None
         self._build()
         # Comments under way and their places, by frame.
         self._typed: dict[str, tuple[str, Position | None]] = {}
@@ -197,9 +200,23 @@ class ReviewPanel(Panel):
         comments = services.review.comments(frame.name)
         left = sum(not c.resolved for c in comments) if given is Status.APPROVED else 0
         if not left or ask_to_approve(self, left):
+            self._given = frame.name, services.review.status(frame.name), services.state.annotation
             services.review.set_status(frame.name, given)
             said = tr("{frame} is {status}", frame=frame.name, status=tr(status, "a frame"))
             services.say(said)
+
+    def key(self, name: str, _shift: bool) -> bool:
+        """Take Undo right after a status was given: the frame has the one of before again."""
+        state, given = self._services.state, self._given
+        if name != "Undo" or given is None or state.frame is None:
+            return False
+        self._given, (frame, before, annotation) = None, given
+        if (frame, annotation) != (state.frame.name, state.annotation):
+            return False
+        self._services.review.set_status(frame, before)
+        status = tr(before.value, "a frame")
+        self._services.say(tr("{frame} is {status} again", frame=frame, status=status))
+        return True
 
     def _send(self) -> None:
         frame = self._services.state.frame
