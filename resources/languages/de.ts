@@ -2989,6 +2989,16 @@ Verliert {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>Linienpunkte werden gesucht: {done} von {total} Bildern  ·  Esc hält an</translation>
   </message>
+  <message>
+   <source>accept elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>Elemente übernehmen</translation>
+  </message>
+  <message>
+   <source>take back accepted elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>angenommene Elemente zurücknehmen</translation>
+  </message>
   <message numerus="yes">
    <source>annotated {n:,} frames</source>
    <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
@@ -3032,16 +3042,6 @@ Verliert {loses}.</translation>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>kein Bild angenommen: {why}</translation>
-  </message>
-  <message>
-   <source>accept elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>Elemente übernehmen</translation>
-  </message>
-  <message>
-   <source>take back accepted elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>angenommene Elemente zurücknehmen</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3187,21 +3187,6 @@ Verliert {loses}.</translation>
     <numerusform>{n:,} Urteil nach {path} exportiert</numerusform>
     <numerusform>{n:,} Urteile nach {path} exportiert</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Blindmodus aufheben</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Aufheben und vermerken</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Festgelegt lassen</translation>
   </message>
   <message>
    <source>mark the frame first: camera wrong, labels wrong or fine</source>
@@ -3886,6 +3871,16 @@ Verliert {loses}.</translation>
    <source>Approve</source>
    <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
    <translation>Freigeben</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Festgelegt lassen</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Aufheben und vermerken</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -5327,26 +5322,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Residuen über dem Bild</translation>
   </message>
   <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>{name} (Bild {n})</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>Keine Bewertung dieses Bildes: es ist nicht annotiert, oder keine gezeigte Quelle hat eine Kamera.</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>Wie viel länger als in Wirklichkeit Pfeile gezeichnet sind</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>Pfeile länger gezeichnet</translation>
-  </message>
-  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>tau (px)</translation>
@@ -5357,6 +5332,16 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>Bild</translation>
   </message>
   <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} (Bild {n})</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Keine Bewertung dieses Bildes: es ist nicht annotiert, oder keine gezeigte Quelle hat eine Kamera.</translation>
+  </message>
+  <message>
    <source>reprojection error (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>Reprojektionsfehler (px)</translation>
@@ -5365,6 +5350,16 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>points</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>Punkte</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Wie viel länger als in Wirklichkeit Pfeile gezeichnet sind</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Pfeile länger gezeichnet</translation>
   </message>
   <message>
    <source>The last bar holds all larger errors.</source>

@@ -2989,6 +2989,16 @@ Pierde {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>buscando puntos de línea: {done} de {total} imágenes  ·  Esc lo detiene</translation>
   </message>
+  <message>
+   <source>accept elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>aceptar elementos</translation>
+  </message>
+  <message>
+   <source>take back accepted elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>retirar los elementos aceptados</translation>
+  </message>
   <message numerus="yes">
    <source>annotated {n:,} frames</source>
    <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
@@ -3032,16 +3042,6 @@ Pierde {loses}.</translation>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>no se aceptó ninguna imagen: {why}</translation>
-  </message>
-  <message>
-   <source>accept elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>aceptar elementos</translation>
-  </message>
-  <message>
-   <source>take back accepted elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>retirar los elementos aceptados</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3187,21 +3187,6 @@ Pierde {loses}.</translation>
     <numerusform>{n:,} veredicto exportado a {path}</numerusform>
     <numerusform>{n:,} veredictos exportados a {path}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Levantar el modo ciego</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Levantarlo y registrarlo</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Mantenerlo fijado</translation>
   </message>
   <message>
    <source>mark the frame first: camera wrong, labels wrong or fine</source>
@@ -3886,6 +3871,16 @@ Pierde {loses}.</translation>
    <source>Approve</source>
    <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
    <translation>Aprobar</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Mantenerlo fijado</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Levantarlo y registrarlo</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -5327,26 +5322,6 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>Residuos sobre la imagen</translation>
   </message>
   <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>{name} (imagen {n})</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>Sin puntuación de esta imagen: no está anotada, o ninguna fuente mostrada tiene su cámara.</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>Cuántas veces más largas de lo que son se dibujan las flechas</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>Flechas dibujadas más largas</translation>
-  </message>
-  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>tau (px)</translation>
@@ -5357,6 +5332,16 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <translation>imagen</translation>
   </message>
   <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} (imagen {n})</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Sin puntuación de esta imagen: no está anotada, o ninguna fuente mostrada tiene su cámara.</translation>
+  </message>
+  <message>
    <source>reprojection error (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>error de reproyección (px)</translation>
@@ -5365,6 +5350,16 @@ Abra una carpeta de imágenes (jpg, png, bmp, webp), o suelte una aquí.</transl
    <source>points</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>puntos</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Cuántas veces más largas de lo que son se dibujan las flechas</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Flechas dibujadas más largas</translation>
   </message>
   <message>
    <source>The last bar holds all larger errors.</source>

@@ -2989,6 +2989,16 @@ Perd {loses}.</translation>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>recherche des points de ligne : {done} images sur {total}  ·  Échap arrête</translation>
   </message>
+  <message>
+   <source>accept elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>accepter des éléments</translation>
+  </message>
+  <message>
+   <source>take back accepted elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>revenir sur les éléments acceptés</translation>
+  </message>
   <message numerus="yes">
    <source>annotated {n:,} frames</source>
    <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
@@ -3032,16 +3042,6 @@ Perd {loses}.</translation>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>aucune image acceptée : {why}</translation>
-  </message>
-  <message>
-   <source>accept elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>accepter des éléments</translation>
-  </message>
-  <message>
-   <source>take back accepted elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>revenir sur les éléments acceptés</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3187,21 +3187,6 @@ Perd {loses}.</translation>
     <numerusform>{n:,} verdict exporté vers {path}</numerusform>
     <numerusform>{n:,} verdicts exportés vers {path}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Lever le mode aveugle</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Lever, et le consigner</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>Le laisser imposé</translation>
   </message>
   <message>
    <source>mark the frame first: camera wrong, labels wrong or fine</source>
@@ -3886,6 +3871,16 @@ Perd {loses}.</translation>
    <source>Approve</source>
    <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
    <translation>Approuver</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Le laisser imposé</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>Lever, et le consigner</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -5327,26 +5322,6 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>Résidus sur l’image</translation>
   </message>
   <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>{name} (image {n})</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>Pas de score de cette image : elle n’est pas annotée, ou aucune source affichée n’a sa caméra.</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>Combien de fois plus longues qu’en vérité les flèches sont tracées</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>Flèches allongées</translation>
-  </message>
-  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>tau (px)</translation>
@@ -5357,6 +5332,16 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <translation>image</translation>
   </message>
   <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name} (image {n})</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Pas de score de cette image : elle n’est pas annotée, ou aucune source affichée n’a sa caméra.</translation>
+  </message>
+  <message>
    <source>reprojection error (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>erreur de reprojection (px)</translation>
@@ -5365,6 +5350,16 @@ Ouvrez un dossier d’images (jpg, png, bmp, webp), ou déposez-en un ici.</tran
    <source>points</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>points</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Combien de fois plus longues qu’en vérité les flèches sont tracées</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>Flèches allongées</translation>
   </message>
   <message>
    <source>The last bar holds all larger errors.</source>

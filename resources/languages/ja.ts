@@ -2938,6 +2938,16 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>線の点を探しています：{total} 中 {done} フレーム  ·  Esc で停止</translation>
   </message>
+  <message>
+   <source>accept elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>要素を採用</translation>
+  </message>
+  <message>
+   <source>take back accepted elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>受け入れた要素を取り消す</translation>
+  </message>
   <message numerus="yes">
    <source>annotated {n:,} frames</source>
    <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
@@ -2978,16 +2988,6 @@ Loses {loses}.</source>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>採用したフレームはありません：{why}</translation>
-  </message>
-  <message>
-   <source>accept elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>要素を採用</translation>
-  </message>
-  <message>
-   <source>take back accepted elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>受け入れた要素を取り消す</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3128,21 +3128,6 @@ Loses {loses}.</source>
    <translation>
     <numerusform>判定 {n:,} 件を {path} に書き出しました</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>ブラインドモードの固定を解除</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>解除して記録する</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>固定したままにする</translation>
   </message>
   <message>
    <source>mark the frame first: camera wrong, labels wrong or fine</source>
@@ -3818,6 +3803,16 @@ Loses {loses}.</source>
    <source>Approve</source>
    <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
    <translation>承認</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>固定したままにする</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>解除して記録する</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -5231,26 +5226,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>画像上の残差</translation>
   </message>
   <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>{name}（フレーム {n}）</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>このフレームのスコアはありません：注釈がないか、表示中のどのソースにもカメラがありません。</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>矢印を実際の何倍の長さで描くか</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>矢印の拡大</translation>
-  </message>
-  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>tau (px)</translation>
@@ -5261,6 +5236,16 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>フレーム</translation>
   </message>
   <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name}（フレーム {n}）</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>このフレームのスコアはありません：注釈がないか、表示中のどのソースにもカメラがありません。</translation>
+  </message>
+  <message>
    <source>reprojection error (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>再投影誤差 (px)</translation>
@@ -5269,6 +5254,16 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>points</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>点の数</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>矢印を実際の何倍の長さで描くか</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>矢印の拡大</translation>
   </message>
   <message>
    <source>The last bar holds all larger errors.</source>

@@ -2938,6 +2938,16 @@ Loses {loses}.</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>正在寻找线上的点：{done} / {total} 帧  ·  Esc 停止</translation>
   </message>
+  <message>
+   <source>accept elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>接受元素</translation>
+  </message>
+  <message>
+   <source>take back accepted elements</source>
+   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
+   <translation>撤回已接受的元素</translation>
+  </message>
   <message numerus="yes">
    <source>annotated {n:,} frames</source>
    <extracomment>annotated {n:,} frame / annotated {n:,} frames [procc_annotator/gui/commands/shot_accepting.py]</extracomment>
@@ -2978,16 +2988,6 @@ Loses {loses}.</source>
    <source>no frame was accepted: {why}</source>
    <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
    <translation>未接受任何帧：{why}</translation>
-  </message>
-  <message>
-   <source>accept elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>接受元素</translation>
-  </message>
-  <message>
-   <source>take back accepted elements</source>
-   <extracomment>[procc_annotator/gui/commands/shot_accepting.py]</extracomment>
-   <translation>撤回已接受的元素</translation>
   </message>
   <message>
    <source>nothing was accepted that could be taken back</source>
@@ -3128,21 +3128,6 @@ Loses {loses}.</source>
    <translation>
     <numerusform>已将 {n:,} 项判定导出到 {path}</numerusform>
    </translation>
-  </message>
-  <message>
-   <source>Unlock blind mode</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>解除盲标模式</translation>
-  </message>
-  <message>
-   <source>Unlock, and record it</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>解锁并记录</translation>
-  </message>
-  <message>
-   <source>Keep it locked</source>
-   <extracomment>[procc_annotator/gui/commands/triage.py]</extracomment>
-   <translation>保持锁定</translation>
   </message>
   <message>
    <source>mark the frame first: camera wrong, labels wrong or fine</source>
@@ -3818,6 +3803,16 @@ Loses {loses}.</source>
    <source>Approve</source>
    <extracomment>[procc_annotator/gui/messages.py, procc_annotator/gui/panels/review.py, the action approve]</extracomment>
    <translation>批准</translation>
+  </message>
+  <message>
+   <source>Keep it locked</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>保持锁定</translation>
+  </message>
+  <message>
+   <source>Unlock, and record it</source>
+   <extracomment>[procc_annotator/gui/messages.py]</extracomment>
+   <translation>解锁并记录</translation>
   </message>
   <message>
    <source>Stay</source>
@@ -5231,26 +5226,6 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>图片上的残差</translation>
   </message>
   <message>
-   <source>{name} (frame {n})</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>{name}（第 {n} 帧）</translation>
-  </message>
-  <message>
-   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>本帧没有得分：未标注，或显示的源都没有其相机。</translation>
-  </message>
-  <message>
-   <source>How many times longer than they are arrows are drawn</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>箭头绘制为实际长度的多少倍</translation>
-  </message>
-  <message>
-   <source>Arrows drawn longer</source>
-   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
-   <translation>箭头放大绘制</translation>
-  </message>
-  <message>
    <source>tau (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>tau (px)</translation>
@@ -5261,6 +5236,16 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <translation>帧</translation>
   </message>
   <message>
+   <source>{name} (frame {n})</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>{name}（第 {n} 帧）</translation>
+  </message>
+  <message>
+   <source>No score of this frame: it is not annotated, or no shown source has its camera.</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>本帧没有得分：未标注，或显示的源都没有其相机。</translation>
+  </message>
+  <message>
    <source>reprojection error (px)</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>重投影误差 (px)</translation>
@@ -5269,6 +5254,16 @@ Open a folder of pictures (jpg, png, bmp, webp), or drop one here.</source>
    <source>points</source>
    <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
    <translation>点</translation>
+  </message>
+  <message>
+   <source>How many times longer than they are arrows are drawn</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>箭头绘制为实际长度的多少倍</translation>
+  </message>
+  <message>
+   <source>Arrows drawn longer</source>
+   <extracomment>[procc_annotator/gui/panels/plots/pages.py]</extracomment>
+   <translation>箭头放大绘制</translation>
   </message>
   <message>
    <source>The last bar holds all larger errors.</source>

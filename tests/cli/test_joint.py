@@ -216,7 +216,7 @@ def test_a_single_frame_keeps_no_dimensions(cli, tmp_path):
     for path in others:
         path.unlink()
     done = cli("field-size", tmp_path, "--save", code=2)
-    assert "nothing kept: a single frame tells no dimensions" in done.stderr
+    assert "nothing kept: a single frame determines no dimensions" in done.stderr
     assert not (tmp_path / ".procc").exists()
 
 

@@ -166,7 +166,7 @@ def test_a_moving_object_has_a_position_each_instant(cli, match, three_views):
     (match / "views.csv").write_text(f"frame,instant\n{rows}")
     partly = cli("triangulate", match, "--cameras", match / "cameras", "--moving", "Ball")
     said = " ".join(partly.stdout.replace("│", " ").split())
-    assert "views.csv does not tell when 17_right and 3 more" in said
+    assert "views.csv does not state when 17_right and 3 more" in said
     assert "views.csv: line 4: there is neither a picture nor an annotation of '17_rihgt'" in (
         " ".join(partly.stderr.split())
     )

@@ -113,7 +113,7 @@ class StretchAccepting(QObject):
         self._accepted: Found = {}  # what was accepted last, by index
         self._taken_back: Found = {}  # what was taken back last
         self._offered: frozenset[int] = frozenset()  # doubtful frames that once more accepts
-        self._at = -1  # the frame on screen by then; -1 once another edit was made
+        self._at = -1  # the frame on screen by then; -1 once somebody went on
         self._here = _NOTHING  # what it held by then
         self._edits = BatchEdits(services.store, services.editing, services.scoring, self)
         services.store.watch(select.dataset, self.forget)
@@ -366,10 +366,10 @@ class StretchAccepting(QObject):
         self.changed.emit()
 
     def _go_on(self) -> None:
-        """Another frame is shown: undo and redo mean all frames until the next edit."""
-        if self._at >= 0 or self._edits.running:
-            self._at = self._services.state.frame_index
-            self._here = self._services.state.annotation
+        """A person looks at another frame: from now on undo means that one, unless the stretch is
+        accepted just now."""
+        self._at = self._services.state.frame_index if self._edits.running else -1
+        self._here = self._services.state.annotation
 
     def _settle(self, *_: object) -> None:
         """Something else was done: from now on undo and redo mean the frame on screen."""
