@@ -108,9 +108,7 @@ def test_what_is_taken_back_is_not_followed_again(window, shot, qtbot, monkeypat
 
     assert not window.shot_following.running
     press(window, Key.Key_Z, CTRL | SHIFT)
-    qtbot.waitUntil(lambda: not window.stretch_accepting.running)
-    all_done(qtbot)
-    assert files(shot) == ["00", "01"]  # wherever one looks meanwhile
+    assert files(shot) == []  # another frame is meant
 
 
 def test_unsure_frames_are_gone_through_from_the_least_sure_to_the_last(window, qtbot):
@@ -134,7 +132,7 @@ def test_nothing_is_accepted_while_the_shot_is_followed(window, monkeypatch):
     assert not window.stretch_accepting.running
 
 
-def test_doubtful_frames_are_accepted_by_pressing_once_more(window, hand, shot, qtbot, monkeypatch):
+def test_doubtful_frames_are_accepted_by_pressing_once_more(window, shot, qtbot, monkeypatch):
     window.services.shot_track.replace(
         {n: followed(n, 0.9 if n == 1 else 0.4) for n in range(3)}, ()
     )
@@ -152,9 +150,6 @@ def test_doubtful_frames_are_accepted_by_pressing_once_more(window, hand, shot, 
     accept(window, qtbot)
     assert said[-1] == "no frame to accept: all that were followed are annotated"
     window.services.navigator.go_to(2)
-    hand.draw("Side line top", (40, 40), (200, 40))
-    press(window, Key.Key_Z, CTRL)
-    assert files(shot) == ["00", "01", "02"]  # after an edit undo means that one
     press(window, Key.Key_Z, CTRL)
     assert said[-1].startswith("undone: accept elements")
     assert files(shot) == ["00", "01"]
