@@ -72,7 +72,7 @@ def test_the_wheel_writes_a_report(installed, sample_data):
 def test_the_wheel_has_the_sample_and_nothing_that_draws_it(installed, sample_data):
     own = installed / "procc_annotator" / "_sample_data"
     there = {str(path.relative_to(own)) for path in own.rglob("*") if path.is_file()}
-    suffixes = {".jpg", ".json", ".toml", ".homographyMatrix"}
+    suffixes = {".jpg", ".json", ".toml", ".homographyMatrix", ".mp4", ".csv"}
     wanted = {
         str(path.relative_to(sample_data))
         for path in sample_data.rglob("*")
