@@ -63,52 +63,60 @@ class PictureFormat(StrEnum):
     svg = "svg"
 
 
+Out = Annotated[Path, typer.Argument(help="Folder of pictures, or a file.")]
+Encoding = Annotated[PictureFormat, typer.Option("--format", help="Encoding of the pictures.")]
+Scale = Annotated[
+    float,
+    typer.Option(
+        "--scale", metavar="X", help="Px of the result per px of the picture, e.g. 2 or 0.5."
+    ),
+]
+PaintedWidth = Annotated[
+    bool,
+    typer.Option(
+        "--painted-width",
+        help="Also draw the borders of the paint: how wide the lines of the field must appear.",
+    ),
+]
+Legend = Annotated[
+    bool, typer.Option("--legend", help="Explain colours, dashes and marks below each picture.")
+]
+
+
+TopView = Annotated[
+    bool,
+    typer.Option("--top-view", help="Draw the pictures on the field, from above, 10 px per metre."),
+]
+Positions = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE", help="CSV of ground positions (as of ground) to draw on a top view."
+    ),
+]
+Fps = Annotated[
+    float | None,
+    typer.Option(
+        min=0.1,
+        max=1000,
+        metavar="N",
+        help="Frames per second of a video.  [default: the times of DATASET's video, else 25]",
+    ),
+]
+
+
 def render(
     dataset: input_files.Dataset,
-    out: Annotated[Path, typer.Argument(help="Folder of pictures, or a file.")],
+    out: Out,
     given: DrawingOptions,
     cameras: input_files.Cameras = None,
-    picture_format: Annotated[
-        PictureFormat, typer.Option("--format", help="Encoding of the pictures.")
-    ] = PictureFormat.png,
-    scale: Annotated[
-        float,
-        typer.Option(
-            "--scale", metavar="X", help="Px of the result per px of the picture, e.g. 2 or 0.5."
-        ),
-    ] = 1.0,
-    painted_width: Annotated[
-        bool,
-        typer.Option(
-            "--painted-width",
-            help="Also draw the borders of the paint: how wide the lines of the field must appear.",
-        ),
-    ] = False,
-    legend: Annotated[
-        bool, typer.Option("--legend", help="Explain colours, dashes and marks below each picture.")
-    ] = False,
+    picture_format: Encoding = PictureFormat.png,
+    scale: Scale = 1.0,
+    painted_width: PaintedWidth = False,
+    legend: Legend = False,
     overwrite: options.Overwrite = False,
-    top_view: Annotated[
-        bool,
-        typer.Option(
-            "--top-view", help="Draw the pictures on the field, from above, 10 px per metre."
-        ),
-    ] = False,
-    positions: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="CSV of ground positions (as of ground) to draw on a top view."
-        ),
-    ] = None,
-    fps: Annotated[
-        float | None,
-        typer.Option(
-            min=0.1,
-            max=1000,
-            metavar="N",
-            help="Frames per second of a video.  [default: the times of DATASET's video, else 25]",
-        ),
-    ] = None,
+    top_view: TopView = False,
+    positions: Positions = None,
+    fps: Fps = None,
 ) -> None:
     setup = given.setup(dataset)
     workspace = given.open(dataset, setup)

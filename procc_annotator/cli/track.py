@@ -59,60 +59,67 @@ EXAMPLE = """\
   procc-annotator track sample_data/shot/ season/ --workers 2
 """
 
+Source = Annotated[
+    Path, typer.Argument(help="Video, folder or archive of pictures, season, or a URL of one.")
+]
+Out = Annotated[Path, typer.Argument(help="Folder to write the cameras to.")]
+Annotations = Annotated[
+    Path | None,
+    typer.Option(
+        "--annotations",
+        metavar="DIR",
+        help="Folder of annotations: the frames that have one are anchors.",
+    ),
+]
+Cameras = Annotated[
+    Path | None,
+    typer.Option(
+        "--cameras",
+        metavar="PATH",
+        help="Folder, zip or file of cameras: the frames that have one are anchors.",
+    ),
+]
+From = Annotated[
+    str | None, typer.Option("--from", metavar="FRAME", help="Follow only the shot of this frame.")
+]
+Workers = Annotated[
+    int | None, typer.Option("--workers", min=1, metavar="N", help="Processes that share the work.")
+]
 ONLY = ("missing", "failed", "doubtful")
+Only = Annotated[
+    str,
+    typer.Option(
+        metavar="|".join(ONLY),
+        help="Pieces to track: missing ones; also those that failed, or with few lines on paint.",
+    ),
+]
 LOGS = ("text", "json")
+Log = Annotated[
+    str, typer.Option(metavar="|".join(LOGS), help="How lines on units of work are written.")
+]
+Cache = Annotated[
+    Path | None, typer.Option("--cache", metavar="DIR", help="Where files of URLs are kept.")
+]
+Overwrite = Annotated[
+    bool, typer.Option("--overwrite", help="Follow again what OUT has a track of.")
+]
 
 
 def track(
-    source: Annotated[
-        Path, typer.Argument(help="Video, folder or archive of pictures, season, or a URL of one.")
-    ],
-    out: Annotated[Path, typer.Argument(help="Folder to write the cameras to.")],
+    source: Source,
+    out: Out,
     field_options: options.PictureFieldOptions,
-    annotations: Annotated[
-        Path | None,
-        typer.Option(
-            "--annotations",
-            metavar="DIR",
-            help="Folder of annotations: the frames that have one are anchors.",
-        ),
-    ] = None,
-    cameras: Annotated[
-        Path | None,
-        typer.Option(
-            "--cameras",
-            metavar="PATH",
-            help="Folder, zip or file of cameras: the frames that have one are anchors.",
-        ),
-    ] = None,
-    begin: Annotated[
-        str | None,
-        typer.Option("--from", metavar="FRAME", help="Follow only the shot of this frame."),
-    ] = None,
+    annotations: Annotations = None,
+    cameras: Cameras = None,
+    begin: From = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
-    workers: Annotated[
-        int | None,
-        typer.Option("--workers", min=1, metavar="N", help="Processes that share the work."),
-    ] = None,
+    workers: Workers = None,
     dask: options.Dask = None,
-    only: Annotated[
-        str,
-        typer.Option(
-            metavar="|".join(ONLY),
-            help="Pieces to track: missing ones; also those that failed, or with few lines on"
-            " paint.",
-        ),
-    ] = "missing",
-    overwrite: Annotated[
-        bool, typer.Option("--overwrite", help="Follow again what OUT has a track of.")
-    ] = False,
-    log: Annotated[
-        str, typer.Option(metavar="|".join(LOGS), help="How lines on units of work are written.")
-    ] = "text",
-    cache: Annotated[
-        Path | None, typer.Option("--cache", metavar="DIR", help="Where files of URLs are kept.")
-    ] = None,
+    only: Only = "missing",
+    overwrite: Overwrite = False,
+    log: Log = "text",
+    cache: Cache = None,
 ) -> None:
     for option, value, known in ("only", only, ONLY), ("log", log, LOGS):
         if value not in known:

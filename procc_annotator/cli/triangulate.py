@@ -46,6 +46,66 @@ from procc_annotator.formats.landmark_file import LANDMARKS_FILE, LandmarkFile, 
 from procc_annotator.messages import pluralize
 from procc_annotator.report.landmarks import frames_without_camera, landmarks_table, surveyed_astray
 
+Cameras = Annotated[
+    str | None,
+    typer.Option(
+        "--cameras",
+        metavar="[NAME[:FORMAT]=]PATH",
+        help="Cameras of the frames: folder, zip or file.  [default: fitted to the annotations]",
+    ),
+]
+ViewsFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--views",
+        metavar="FILE.csv",
+        help="When each frame was taken, and by which camera.  [default: the dataset's views.csv]",
+    ),
+]
+Pattern = Annotated[
+    str | None,
+    typer.Option(
+        "--pattern",
+        metavar="TEXT",
+        help="The same from the frames' names: {instant}_{view}, or a regular expression with"
+        " (?P<instant>...).",
+    ),
+]
+Moving = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--moving", metavar="NAME", help="A landmark that moves; repeat for several.",
+    ),
+]  # fmt: skip
+Surveyed = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--surveyed",
+        metavar="NAME=X,Y,Z",
+        help="A landmark whose place was measured, metres from the field's centre (z down); repeat"
+        " for several.",
+    ),
+]
+ClickPx = Annotated[
+    float | None,
+    typer.Option(
+        "--click-sd",
+        metavar="PX",
+        help="Standard deviation of a click and its camera together, px of --size.  [default: 1.5"
+        " at 960 px, corrected by the residuals]",
+    ),
+]
+Output = Annotated[
+    Path | None,
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="FILE.json",
+        help="Write the landmarks here, and leave the dataset as it is, without a views.csv."
+        "  [default: landmarks.json in the dataset's folder]",
+    ),
+]
+
 
 def check_values(model: str, click_px: float | None) -> None:
     """Raise UsageError for what no camera can be fitted or no place be found with."""
@@ -200,70 +260,14 @@ EXAMPLE = """\
 def triangulate(
     dataset: options.AnnotatedSet,
     field_options: options.FieldOptions,
-    cameras: Annotated[
-        str | None,
-        typer.Option(
-            "--cameras",
-            metavar="[NAME[:FORMAT]=]PATH",
-            help="Cameras of the frames: folder, zip or file.  [default: fitted to the"
-            " annotations]",
-        ),
-    ] = None,
-    views: Annotated[
-        Path | None,
-        typer.Option(
-            "--views",
-            metavar="FILE.csv",
-            help="When each frame was taken, and by which camera.  [default: the dataset's"
-            " views.csv]",
-        ),
-    ] = None,
-    pattern: Annotated[
-        str | None,
-        typer.Option(
-            "--pattern",
-            metavar="TEXT",
-            help="The same from the frames' names: {instant}_{view}, or a regular expression with"
-            " (?P<instant>...).",
-        ),
-    ] = None,
-    moving: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--moving",
-            metavar="NAME",
-            help="A landmark that moves; repeat for several.",
-        ),
-    ] = None,
-    surveyed: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--surveyed",
-            metavar="NAME=X,Y,Z",
-            help="A landmark whose place was measured, metres from the field's centre (z down);"
-            " repeat for several.",
-        ),
-    ] = None,
-    output: Annotated[
-        Path | None,
-        typer.Option(
-            "--output",
-            "-o",
-            metavar="FILE.json",
-            help="Write the landmarks here, and leave the dataset as it is, without a views.csv."
-            "  [default: landmarks.json in the dataset's folder]",
-        ),
-    ] = None,
+    cameras: Cameras = None,
+    views: ViewsFile = None,
+    pattern: Pattern = None,
+    moving: Moving = None,
+    surveyed: Surveyed = None,
+    output: Output = None,
     model: options.PosedModel = "R",
-    click_px: Annotated[
-        float | None,
-        typer.Option(
-            "--click-sd",
-            metavar="PX",
-            help="Standard deviation of a click and its camera together, px of --size.  [default:"
-            " 1.5 at 960 px, corrected by the residuals]",
-        ),
-    ] = None,
+    click_px: ClickPx = None,
     size: options.FitSize = None,
     camera_format: options.CameraFormat = "auto",
     camera_size: options.CameraSize = None,
