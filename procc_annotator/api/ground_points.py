@@ -31,7 +31,7 @@ from procc_annotator.field.model import Field
 from procc_annotator.formats.cameras.fit_record import FIT_KEY, UNCERTAINTY
 from procc_annotator.formats.cameras.loaded_camera import LoadedCamera
 from procc_annotator.formats.frame_names import frame_finder
-from procc_annotator.formats.point_tables import PointTable, Row, move_boxes, read_rows, stated_size
+from procc_annotator.formats.point_tables import PointTable, Row, move_boxes
 from procc_annotator.messages import list_names
 from procc_annotator.metrics.ground_plane import (
     NearestHomography,
@@ -109,7 +109,7 @@ def to_ground(
     if pixel_sd is not None and not known_sd:
         raise UsageError(f"pixel_sd: expected a standard deviation in px, found {pixel_sd!r}")
     ground, sds = np.full_like(table.places, np.nan), np.full_like(table.places, np.nan)
-    views = _views(table, cameras, known, as_optional_size(size) or _size_of(points), camera_size)
+    views = _views(table, cameras, known, as_optional_size(size) or table.size, camera_size)
     for view in views:
         if isinstance(view.camera, ElementProjections):
             continue
@@ -160,7 +160,7 @@ def to_pixels(
         raise UsageError(f"the points are in the axes {', '.join(sorted(stated))}, not {axes}")
     factors, offsets = _axes(next(iter(stated), axes), known)
     ground, px = (table.places - offsets) / factors, np.full_like(table.places, np.nan)
-    views = _views(table, cameras, known, as_optional_size(size) or _size_of(points), camera_size)
+    views = _views(table, cameras, known, as_optional_size(size) or table.size, camera_size)
     for view in views:
         if isinstance(view.camera, ElementProjections):
             continue
@@ -209,7 +209,7 @@ def homography_of(
 
 def _table(points: Points, *, metres: bool) -> PointTable:
     if isinstance(points, str | Path):
-        return PointTable.of(read_rows(Path(points)), points, metres=metres)
+        return PointTable.read(Path(points), metres=metres)
     rows = points.to_dict("records") if hasattr(points, "to_dict") else points
     if not isinstance(rows, Sequence) or not all(isinstance(row, Mapping) for row in rows):
         raise UsageError(f"points: expected rows, a DataFrame or a path, found {kind_of(points)}")
@@ -217,10 +217,6 @@ def _table(points: Points, *, metres: bool) -> PointTable:
         {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in row.items()} for row in rows
     ]
     return PointTable.of(plain, "points", metres=metres)
-
-
-def _size_of(points: Points) -> tuple[int, int] | None:
-    return stated_size(Path(points)) if isinstance(points, str | Path) else None
 
 
 def _axes(name: str, known: Field) -> tuple[FloatArray, FloatArray]:

@@ -23,7 +23,7 @@ from procc_annotator.figures.top_view import SUFFIXES, TopViewPainter
 from procc_annotator.formats.atomic import write_atomic
 from procc_annotator.formats.cameras.packed import PACKED_SUFFIX
 from procc_annotator.formats.frame_names import frame_finder
-from procc_annotator.formats.point_tables import PointTable, read_rows
+from procc_annotator.formats.point_tables import PointTable
 from procc_annotator.image.headers import PICTURE_SUFFIXES, VIDEO_SUFFIXES
 from procc_annotator.messages import list_names, pluralize
 from procc_annotator.report.overlay_scene import (
@@ -189,7 +189,7 @@ def _positions(path: Path | None, workspace: Workspace) -> dict[str, FloatArray]
     """Frame name -> (N, 2) metres, of a table of ``ground``."""
     if path is None:
         return {}
-    table = PointTable.of(read_rows(path), path, metres=True)
+    table = PointTable.read(path, metres=True)
     if table.columns == ("x", "y"):
         raise UsageError(f"{path}: has x, y in px alone: positions have X, Y in metres (ground)")
     if axes := {str(row["axes"]) for row in table.rows if "axes" in row}:

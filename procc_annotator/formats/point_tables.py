@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from io import BytesIO
 from pathlib import Path
@@ -51,6 +51,13 @@ class PointTable:
     frames: tuple[str, ...]
     places: FloatArray
     columns: tuple[str, ...]
+    size: tuple[int, int] | None = None  # of the pictures, px, if the file states one for all
+
+    @classmethod
+    def read(cls, path: Path, *, metres: bool = False) -> PointTable:
+        """Read a file; see `read_rows` and `of`."""
+        rows, size = read_rows(path)
+        return replace(cls.of(rows, path, metres=metres), size=size)
 
     @classmethod
     def of(cls, rows: Sequence[Row], path: str | Path, *, metres: bool = False) -> PointTable:
@@ -114,21 +121,9 @@ def _frame_name(value: object) -> str:
     return "" if whole is None else PICTURE_SUFFIX.sub("", str(whole).strip())
 
 
-def stated_size(path: Path) -> tuple[int, int] | None:
-    """Return the picture size, (width, height) px, that all images of a COCO file state; None if
-    they differ or state none, and for other files."""
-    if path.suffix.lower() != ".json":
-        return None
-    content = decode_fast(read_file(path), path=str(path), error=InputError)
-    images = content.get("images", []) if isinstance(content, dict) else []
-    sizes = {(i.get("width"), i.get("height")) for i in images if isinstance(i, dict)}
-    size = sizes.pop() if len(sizes) == 1 else (None, None)
-    width, height = size
-    return (width, height) if type(width) is int and type(height) is int else None
-
-
-def read_rows(path: Path) -> list[Row]:
-    """The rows of a file, by its suffix; a CSV file without a header is one of MOT.
+def read_rows(path: Path) -> tuple[list[Row], tuple[int, int] | None]:
+    """The rows of a file, by its suffix; a CSV file without a header is one of MOT. And the size,
+    (width, height) px, that all images of a COCO file state; else None.
 
     Raises:
         UsageError: another suffix, or Parquet without pyarrow.
@@ -140,32 +135,38 @@ def read_rows(path: Path) -> list[Row]:
     advice = _EXPECTED.format("x, y or a box")
     if suffix == ".parquet":
         try:
-            return list(_parquet().read_table(BytesIO(read_file(path))).to_pylist())
+            return list(_parquet().read_table(BytesIO(read_file(path))).to_pylist()), None
         except (OSError, ValueError) as error:  # of which the library's own errors are
             raise InputError(path, f"is no Parquet file: {error}", advice=advice) from error
     if suffix == ".json":
         content = decode_fast(read_file(path), path=str(path), error=InputError)
         files: dict[object, object] = {}
+        sizes: set[tuple[object, object]] = set()
         if isinstance(content, dict):  # its longest list; COCO names pictures in another one
             for image in content.pop("images", []):
                 files[image.get("id")] = image.get("file_name")
+                sizes.add((image.get("width"), image.get("height")))
             content = max((v for v in content.values() if type(v) is list), key=len, default=None)
         if not isinstance(content, list) or not all(isinstance(row, dict) for row in content):
             raise InputError(path, "holds no list of objects", advice=advice)
-        return (
-            [{**row, "frame": files[row.get("image_id")]} for row in content] if files else content
-        )
+        if files:
+            content = [{**row, "frame": files[row.get("image_id")]} for row in content]
+        match list(sizes):
+            case [(int(width), int(height))]:
+                return content, (width, height)
+        return content, None
     data = read_file(path)
     if not re.search(rb"[,;\t]", data.lstrip().partition(b"\n")[0]):  # separated by blanks
         data = b"\n".join(b",".join(line.split()) for line in data.splitlines())
     cells = [row for _, row in csv_cells(path, data)]
     if cells and len(cells[0]) > 5 and all(map(is_number, cells[0])):
-        return [dict(zip(_MOT, map(str.strip, row), strict=False)) for row in cells]
+        return [dict(zip(_MOT, map(str.strip, row), strict=False)) for row in cells], None
     rows = [row for _, row in read_table(path, (), advice, data)[1]]
     commas = {cell for row in rows for cell in row.values() if _COMMA.fullmatch(cell)}
     if all(map(_THOUSANDS.fullmatch, commas)):  # either may be meant, or there is none
-        return rows
-    return [{k: v.replace(",", ".") if v in commas else v for k, v in r.items()} for r in rows]
+        return rows, None
+    decimal = [{k: v.replace(",", ".") if v in commas else v for k, v in r.items()} for r in rows]
+    return decimal, None
 
 
 def is_number(text: str) -> bool:
