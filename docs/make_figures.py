@@ -28,6 +28,8 @@ from procc_annotator.annotation import points_px
 from procc_annotator.camera.models import PinholeCamera
 from procc_annotator.field.model import Element
 from procc_annotator.field.sampling import sample_evenly
+from procc_annotator.metrics.measurement import measure
+from procc_annotator.metrics.setup import EvaluationSetup
 
 ROOT = Path(__file__).resolve().parent.parent
 SAMPLE, PICTURES = ROOT / "sample_data", ROOT / "docs" / "pictures"
@@ -46,9 +48,10 @@ def _tp_fp(figure: Figure) -> None:
     tau, arcs = 5.0, (("00006", "Circle right"), ("00011", "Circle left"))
     cameras = procc.load_cameras(SAMPLE / "cameras" / "bad")
     for axes, (frame, name) in zip(figure.subplots(1, 2), arcs, strict=True):
-        clicks = points_px(procc.load_annotation(SAMPLE / f"{frame}.json").get(name), SIZE)
-        camera = cameras[frame].camera
-        distances = _distances(clicks, camera, name)
+        annotation, camera = procc.load_annotation(SAMPLE / f"{frame}.json"), cameras[frame].camera
+        clicks = points_px(annotation.get(name), SIZE)
+        labels = measure(annotation, camera, EvaluationSetup(FIELD, SIZE, "procc")).plain
+        distances = np.asarray(labels.distances[labels.names.index(name)])
         verdict, colour = ("TP", GREEN) if distances.max() < tau else ("FP", RED)
         for piece in _projected(camera, name):
             axes.plot(*piece.T, color=colour, lw=1.5)
@@ -60,20 +63,6 @@ def _tp_fp(figure: Figure) -> None:
         axes.set(xlim=(low[0], high[0]), ylim=(high[1], low[1]), aspect="equal")
         axes.set_title(f"{verdict}: farthest point {distances.max():.1f} px", fontsize=10)
         axes.set_xlabel("px; circles: tau = 5 px")
-
-
-def _distances(points: np.ndarray, camera: Any, name: str) -> np.ndarray:
-    """Distances of points to the nearest segment of an element's projection, px."""
-    pieces = [piece for piece in _projected(camera, name) if len(piece) > 1]
-    if not pieces:
-        return np.full(len(points), np.inf)
-    starts = np.concatenate([piece[:-1] for piece in pieces])
-    ends = np.concatenate([piece[1:] for piece in pieces])
-    along = ends - starts
-    lengths = np.maximum((along**2).sum(-1), 1e-12)
-    share = np.clip(((points[:, None] - starts) * along).sum(-1) / lengths, 0, 1)
-    nearest = starts + share[..., None] * along
-    return np.linalg.norm(points[:, None] - nearest, axis=-1).min(axis=1)
 
 
 def _clipping(figure: Figure) -> None:
