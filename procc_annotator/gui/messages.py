@@ -274,7 +274,7 @@ def ask_done_only(parent: QWidget, unfinished: int, total: int) -> bool | None:
 
 
 def ask_to_unlock(parent: QWidget, reason: str, lost: str) -> bool:
-    """Unlock blind mode, whose reason is given?"""
+    """Ask whether blind mode is unlocked; ``reason``: who locked it and when."""
     answers, icon = (tr("Keep it locked"), tr("Unlock, and record it")), QMessageBox.Icon.Warning
     return _ask(parent, as_sentence(reason), lost, *answers, icon=icon) > 0
 

@@ -55,7 +55,7 @@ class Welcome(QWidget):
         centre = Qt.AlignmentFlag.AlignHCenter
         column = vbox(spacing=2)
         layout.addLayout(column)
-        layout.addStretch()
+        layout.addStretch(1)
         if recent:
             column.addWidget(QLabel(tr("Go on with")), 0, centre)
         for path in recent[:_SHOWN]:
